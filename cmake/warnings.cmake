@@ -1,0 +1,6 @@
+# One flag set for everything that is ours.
+add_library(orthoball_warnings INTERFACE)
+target_compile_options(
+  orthoball_warnings
+  INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion
+            -Wundef -Werror)
