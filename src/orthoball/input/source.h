@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace orthoball {
+
+/// The bytes of one input, decompressed, with the name that messages use.
+struct Source {
+  std::string name;   ///< the path as given, "-" for standard input
+  std::string bytes;  ///< after gunzip, without a UTF-8 byte order mark
+};
+
+/// Largest input accepted unless limits are lifted: 1 GiB uncompressed, compression ratio 200.
+inline constexpr std::size_t kLargestInput = std::size_t{1} << 30U;
+inline constexpr std::size_t kLargestCompressionRatio = 200;
+
+/// Reads a file, or standard input for "-". gzip is recognised by its first bytes, whatever the
+/// name; bz2, xz, zstd and zip are refused by name with how to convert.
+/// @throws ParseError if it cannot be opened or read, is truncated or corrupt gzip, or (when
+///         `limited`) is larger than the limits above. Memory stays within a small multiple of the
+///         limit, whatever the bytes claim.
+[[nodiscard]] Source read_source(const std::string& path, bool limited);
+
+/// Refuses what is not a text: NUL bytes (with the line), UTF-16, PNG and other known signatures.
+/// Messages print no raw bytes.
+/// @throws ParseError
+void require_text(const Source& source);
+
+/// The lines of a text, one after the other: ends are \n, \r\n or \r. O(length) in total.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : rest_(text) {}
+  /// False at the end of the text; otherwise `line` is the next line without its end.
+  [[nodiscard]] bool next(std::string_view& line);
+  /// 1-based number of the line last returned.
+  [[nodiscard]] std::size_t number() const { return number_; }
+
+ private:
+  std::string_view rest_;
+  std::size_t number_ = 0;
+};
+
+/// At most 40 printable characters of `text`, quoted; everything else as \xNN. For messages.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+}  // namespace orthoball
