@@ -24,9 +24,9 @@ class Id {
   std::uint32_t row_ = kNone;
 };
 
-using SiteId = Id<struct SiteTag>;    ///< an input row: a weighted point as the caller numbers it
+using SiteId = Id<struct SiteTag>;      ///< an input row: a weighted point as the caller numbers it
 using VertexId = Id<struct VertexTag>;  ///< a vertex of the triangulation, numbered by position
-using CellId = Id<struct CellTag>;    ///< a triangle (D = 2) or tetrahedron (D = 3)
+using CellId = Id<struct CellTag>;      ///< a triangle (D = 2) or tetrahedron (D = 3)
 using SimplexId = Id<struct SimplexTag>;  ///< a simplex of the triangulation, see simplex_table.h
 
 }  // namespace orthoball

@@ -22,7 +22,7 @@ struct alignas(D == 3 ? 32 : 8) Site {
 template <int D>
 struct ExactSite {
   double x[D];
-  double weight_high;       ///< weight = (weight_high + weight_low) * 2^weight_exponent
+  double weight_high;  ///< weight = (weight_high + weight_low) * 2^weight_exponent
   double weight_low;
   int weight_exponent;
 };
@@ -30,9 +30,10 @@ struct ExactSite {
 /// Sites prepared for the predicates, in an order chosen by the caller (the inside numbering).
 ///
 /// The double stages read `operator[]`: coordinates and weight times one power of two (their square
-/// for weights), chosen so that nothing over- or underflows harmfully (kLargestMagnitude) and, where
-/// it can be, so that every number is an integer. They may differ from the truth: coordinates by
-/// less than 2^-1074, weights by `weight_error()`. The exact stages read `exact`, which is the truth.
+/// for weights), chosen so that nothing over- or underflows harmfully (kLargestMagnitude) and,
+/// where it can be, so that every number is an integer. They may differ from the truth: coordinates
+/// by less than 2^-1074, weights by `weight_error()`. The exact stages read `exact`, which is the
+/// truth.
 ///
 /// Costs 8 (D + 1) bytes a site, 8 (D + 3) more where a double cannot hold every number exactly.
 template <int D>

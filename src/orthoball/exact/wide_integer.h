@@ -21,7 +21,7 @@ class WideInteger {
  public:
   static constexpr int kBits = 64 * N;
 
-  constexpr WideInteger() = default;  // zero
+  constexpr WideInteger() = default;           // zero
   constexpr WideInteger(std::int64_t value) {  // NOLINT(google-explicit-constructor): a number
     limbs_[0] = static_cast<std::uint64_t>(value);
     for (std::size_t i = 1; i < kLimbs; ++i) limbs_[i] = value < 0 ? ~std::uint64_t{0} : 0;
@@ -79,8 +79,7 @@ class WideInteger {
       if (a.limbs_[i] == 0) continue;
       std::uint64_t carry = 0;
       for (std::size_t j = 0; i + j < kLimbs; ++j) {
-        const Word total =
-            Word{a.limbs_[i]} * b.limbs_[j] + product.limbs_[i + j] + carry;
+        const Word total = Word{a.limbs_[i]} * b.limbs_[j] + product.limbs_[i + j] + carry;
         product.limbs_[i + j] = static_cast<std::uint64_t>(total);
         carry = static_cast<std::uint64_t>(total >> 64U);
       }

@@ -13,10 +13,10 @@ namespace orthoball {
 
 /// One number of a text file, as the decimal it is and as the double nearest to it.
 struct DecimalNumber {
-  double nearest = 0.0;      ///< correctly rounded; never -0
-  std::int64_t digits = 0;   ///< number = digits * 10^exponent, if `is_exact`
-  int exponent = 0;          ///< digits has no trailing zeros; 0 for zero
-  bool is_exact = true;      ///< false where the digits do not fit 63 bits
+  double nearest = 0.0;     ///< correctly rounded; never -0
+  std::int64_t digits = 0;  ///< number = digits * 10^exponent, if `is_exact`
+  int exponent = 0;         ///< digits has no trailing zeros; 0 for zero
+  bool is_exact = true;     ///< false where the digits do not fit 63 bits
 };
 
 /// What is wrong with a text that should be a number.

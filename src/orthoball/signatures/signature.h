@@ -15,13 +15,13 @@ namespace orthoball {
 /// Everything that is counted and measured of the alpha complex at one index of the spectrum.
 ///
 /// Lengths, areas and volumes are in input units; each is a compensated sum rounded once, so that
-/// the last index agrees with the convex hull to 1e-12 relative. In the plane `volume` is the area of
-/// the triangles and the areas are lengths of edges (`length` is then unused, 0). Where the sites
-/// span less than R^D, volume is 0 and the top simplices end as singular ones.
+/// the last index agrees with the convex hull to 1e-12 relative. In the plane `volume` is the area
+/// of the triangles and the areas are lengths of edges (`length` is then unused, 0). Where the
+/// sites span less than R^D, volume is 0 and the top simplices end as singular ones.
 template <int D>
 struct Signature {
-  std::uint32_t index = 0;  ///< 0..s
-  double alpha2 = 0.0;      ///< label of the index (or the value asked for); length^2
+  std::uint32_t index = 0;               ///< 0..s
+  double alpha2 = 0.0;                   ///< label of the index (or the value asked for); length^2
   std::array<std::uint32_t, D> betti{};  ///< components, tunnels[, voids]
   std::int64_t euler = 0;                ///< vertices - edges + triangles - tetrahedra
   /// [dimension] numbers of simplices by role; their sums are the simplices of the triangulation.
@@ -30,11 +30,11 @@ struct Signature {
   double area_singular = 0.0;  ///< of singular facets, one side each; length^(D-1)
   double area_regular = 0.0;   ///< of regular facets, one side each; length^(D-1)
   double area = 0.0;           ///< two-sided: area_regular + 2 area_singular; length^(D-1)
-  double length = 0.0;         ///< sum of edge length x complementary angle; mean width x 4 pi; D = 3
+  double length = 0.0;  ///< sum of edge length x complementary angle; mean width x 4 pi; D = 3
 };
 
-/// Calls `visit` with the signature of every index 1..s in order (index 0, the empty complex, is not
-/// visited). One scan of the filter: O(n) time, O(n) extra memory but nothing per index.
+/// Calls `visit` with the signature of every index 1..s in order (index 0, the empty complex, is
+/// not visited). One scan of the filter: O(n) time, O(n) extra memory but nothing per index.
 template <int D>
 void scan_signatures(const Filtration<D>& filtration,
                      const std::function<void(const Signature<D>&)>& visit);
