@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -11,12 +11,15 @@
 
 namespace orthoball {
 
+/// Holds every decimal of up to 38 digits.
+__extension__ using Int128 = __int128;
+
 /// One number of a text file, as the decimal it is and as the double nearest to it.
 struct DecimalNumber {
-  double nearest = 0.0;     ///< correctly rounded; never -0
-  std::int64_t digits = 0;  ///< number = digits * 10^exponent, if `is_exact`
-  int exponent = 0;         ///< digits has no trailing zeros; 0 for zero
-  bool is_exact = true;     ///< false where the digits do not fit 63 bits
+  double nearest = 0.0;  ///< correctly rounded; never -0
+  int exponent = 0;      ///< number = digits * 10^exponent, if `is_exact`
+  bool is_exact = true;  ///< false where there are more than 38 digits
+  Int128 digits = 0;     ///< has no trailing zeros; 0 with exponent 0 for zero
 };
 
 /// What is wrong with a text that should be a number.
@@ -30,14 +33,22 @@ struct DecimalParse {
 /// The number that the whole of `text` spells: optional sign, digits with an optional point,
 /// optional exponent after e, E (Fortran's d, D too). No blanks, no hexadecimal, no locale.
 /// `nan`, `inf` and their kin are DecimalFault::not_finite; values beyond the double range are
-/// out_of_range; values below it round to 0. Linear in the length of the text.
+/// out_of_range; values that round to 0 are 0. Linear in the length of the text.
 [[nodiscard]] DecimalParse parse_decimal(std::string_view text);
 
-/// Collects the numbers of one input row by row, and decides at the end whether all of them are
-/// decimal fixed-point numbers (design: all or nothing per input) or all the nearest doubles.
+/// The number digits * 10^exponent; it must not round to infinity.
+[[nodiscard]] DecimalNumber decimal_number(Int128 digits, int exponent);
+
+/// Collects the numbers of one input row by row, and decides whether all of them are decimal
+/// fixed-point numbers (all or nothing per input) or all the nearest doubles.
+///
+/// Costs one double a number (two a weight) whatever is added: rows are kept as integers in units
+/// of the most decimals seen so far, and turned into doubles by the first number that does not fit.
 class DecimalRows {
  public:
   DecimalRows(int dimension, WeightKind kind) : dimension_(dimension), kind_(kind) {}
+
+  void reserve(std::size_t rows);
 
   /// Adds one site.
   /// @param coordinates  `dimension` numbers.
@@ -47,15 +58,25 @@ class DecimalRows {
 
   /// The points: fixed-point with the smallest `decimals` that holds every coordinate and radius
   /// (a weight needs half its decimals, rounded up) if all of them are then integers of at most
-  /// 2^53 (weights 106 bits), doubles otherwise.
-  [[nodiscard]] WeightedPoints points() const;
+  /// 2^53 (weights 106 bits), doubles otherwise. Takes the numbers with it:
+  /// `std::move(rows).points()`.
+  [[nodiscard]] WeightedPoints points() &&;
 
  private:
+  [[nodiscard]] bool fits(std::span<const DecimalNumber> coordinates, const DecimalNumber& weight);
+  [[nodiscard]] bool widen(int decimals);
+  void become_doubles();
+
   int dimension_;
   WeightKind kind_;
   std::size_t rows_ = 0;
-  std::vector<DecimalNumber> coordinates_;  // [dimension * row + axis]
-  std::vector<DecimalNumber> weights_;      // [row]
+  bool is_fixed_ = true;  // the arrays hold integers, not doubles
+  int decimals_ = 0;
+  double largest_ = 0.0;             // of the integers among coordinates and radii
+  Int128 largest_weight_ = 0;        // of the integers among weights
+  std::vector<double> coordinates_;  // [dimension * row + axis]
+  std::vector<double> weights_;      // [row]
+  std::vector<double> weights_low_;  // [row], only for integers of WeightKind::weight
 };
 
 }  // namespace orthoball

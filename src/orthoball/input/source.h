@@ -13,12 +13,13 @@ struct Source {
   std::string bytes;  ///< after gunzip, without a UTF-8 byte order mark
 };
 
-/// Largest input accepted unless limits are lifted: 1 GiB uncompressed, compression ratio 200.
+/// Largest input accepted unless limits are lifted: 1 GiB uncompressed, compression ratio 200. What
+/// decompresses to 1 MiB or less is within the ratio in any case.
 inline constexpr std::size_t kLargestInput = std::size_t{1} << 30U;
 inline constexpr std::size_t kLargestCompressionRatio = 200;
 
 /// Reads a file, or standard input for "-". gzip is recognised by its first bytes, whatever the
-/// name; bz2, xz, zstd and zip are refused by name with how to convert.
+/// name; bz2, xz, zstd, lz4, 7z and zip are refused by name with how to convert.
 /// @throws ParseError if it cannot be opened or read, is truncated or corrupt gzip, or (when
 ///         `limited`) is larger than the limits above. Memory stays within a small multiple of the
 ///         limit, whatever the bytes claim.
@@ -32,18 +33,23 @@ void require_text(const Source& source);
 /// The lines of a text, one after the other: ends are \n, \r\n or \r. O(length) in total.
 class Lines {
  public:
-  explicit Lines(std::string_view text) : rest_(text) {}
+  explicit Lines(std::string_view text) : text_(text) {}
   /// False at the end of the text; otherwise `line` is the next line without its end.
   [[nodiscard]] bool next(std::string_view& line);
   /// 1-based number of the line last returned.
   [[nodiscard]] std::size_t number() const { return number_; }
 
  private:
-  std::string_view rest_;
+  std::string_view text_;
+  std::size_t at_ = 0;  // where the next line begins
+  std::size_t newline_ =
+      0;  // the first \n and \r at or after at_, once found; text_.size() if none
+  std::size_t carriage_ = 0;
+  bool is_searched_ = false;
   std::size_t number_ = 0;
 };
 
-/// At most 40 printable characters of `text`, quoted; everything else as \xNN. For messages.
+/// At most 40 characters of `text` in quotes, what is not printable ASCII as \xNN. For messages.
 [[nodiscard]] std::string quoted(std::string_view text);
 
 }  // namespace orthoball
