@@ -1,0 +1,88 @@
+# The front door. Each target sets up what it needs through ./bootstrap, which installs missing
+# Debian packages and is quick when nothing is missing.
+
+JOBS ?= $(shell nproc)
+SAMPLE ?= examples/data/bdna_dodecamer.pdb
+FUZZ_SECONDS ?= 60
+ORTHOBALL = build/release/orthoball
+
+.PHONY: help demo build test test-long bench sanitize fuzz tidy coverage format docs samples clean
+
+help:
+	@echo 'make demo       build the program and run it on $(SAMPLE), results in out/'
+	@echo 'make test       build everything and run all tests'
+	@echo 'make test-long  the same with the long forms of the random tests'
+	@echo 'make build      build the program: $(ORTHOBALL)'
+	@echo 'make bench      compare with CGAL on the same inputs: time, ratio, peak memory'
+	@echo 'make sanitize   all tests under the address and undefined behaviour sanitizers'
+	@echo 'make fuzz       every fuzz target for FUZZ_SECONDS ($(FUZZ_SECONDS)) seconds'
+	@echo 'make tidy       clang-tidy over everything that is compiled'
+	@echo 'make coverage   which lines the tests reach'
+	@echo 'make format     format the sources'
+	@echo 'make docs       write docs/cli.md from --help'
+	@echo 'make samples    write examples/data anew'
+	@echo 'make clean      remove build/ and out/'
+
+build:
+	./bootstrap build
+	cmake --preset release
+	cmake --build --preset release --parallel $(JOBS)
+
+demo: build
+	mkdir -p out
+	$(ORTHOBALL) summary $(SAMPLE)
+	$(ORTHOBALL) shape $(SAMPLE) --alpha2 auto -o out/surface.ply
+	$(ORTHOBALL) signatures $(SAMPLE) -o out/signatures.csv --plot out/signatures.svg
+	@ls -l out
+
+test:
+	./bootstrap build test
+	cmake --preset test
+	cmake --build --preset test --parallel $(JOBS)
+	ctest --preset test --parallel $(JOBS)
+
+test-long: export ORTHOBALL_LONG = 1
+test-long: test
+
+bench:
+	./bootstrap build bench
+	cmake --preset bench
+	cmake --build --preset bench --parallel $(JOBS)
+	benchmarks/run build/bench
+
+sanitize:
+	./bootstrap build test
+	cmake --preset asan
+	cmake --build --preset asan --parallel $(JOBS)
+	ctest --preset asan --parallel $(JOBS)
+
+fuzz:
+	./bootstrap build test fuzz
+	cmake --preset fuzz
+	cmake --build --preset fuzz --parallel $(JOBS)
+	tests/fuzz/run build/fuzz $(FUZZ_SECONDS)
+
+tidy:
+	./bootstrap build test tidy
+	cmake --preset tidy
+	cmake --build --preset tidy --parallel $(JOBS)
+
+coverage:
+	./bootstrap build test coverage
+	cmake --preset coverage
+	cmake --build --preset coverage --parallel $(JOBS)
+	ctest --preset coverage --parallel $(JOBS)
+	gcovr --root . --filter src/orthoball build/coverage
+
+format:
+	./bootstrap test
+	tools/check_format.py --write
+
+docs: build
+	tools/cli_reference.py $(ORTHOBALL)
+
+samples:
+	examples/data/make_samples.py
+
+clean:
+	rm -rf build out
