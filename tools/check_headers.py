@@ -3,9 +3,10 @@
 """Checks the headers of src/orthoball: each compiles alone, and each public name is documented.
 
 A declaration is documented by a comment directly above it or at its end, or by belonging to a run
-of declarations without an empty line that a comment opens. Types and enumerators, free functions,
-constants, public functions and public fields need one. What says everything in its signature does
-not: constructors, operators, friends, and members without parameters defined where they stand.
+of declarations without an empty line that a comment opens. Types, free functions, constants of the
+namespace, public member functions, and fields that are arrays (whose shape must be said) need one.
+What its signature, its type or its body says in full does not: constructors, operators, friends,
+other fields, enumerators, and members defined where they stand.
 """
 
 import argparse
@@ -82,7 +83,7 @@ class Reader:
                 return True  # a field that is not an array
             if re.match(rf"(explicit\s+|constexpr\s+|~)*{re.escape(scope.name)}\s*\(", plain):
                 return True
-            if defined and re.search(r"\(\s*\)\s*(const)?\s*(noexcept)?$", plain):
+            if defined:
                 return True
         return False
 

@@ -13,6 +13,7 @@ namespace orthoball {
 /// wrong with it and what would be right. Whatever threw it has changed nothing.
 class InputError : public std::invalid_argument {
  public:
+  /// What kind of mistake it is, for programs; the message is for people.
   enum class Reason {
     not_finite,      ///< a coordinate, radius or weight is NaN or infinite
     wrong_size,      ///< the arrays' lengths do not fit each other or the dimension

@@ -25,6 +25,7 @@ struct DecimalNumber {
 /// What is wrong with a text that should be a number.
 enum class DecimalFault { none, not_a_number, not_finite, out_of_range };
 
+/// A number, or why there is none (then `number` is 0).
 struct DecimalParse {
   DecimalNumber number;
   DecimalFault fault = DecimalFault::none;
@@ -48,6 +49,7 @@ class DecimalRows {
  public:
   DecimalRows(int dimension, WeightKind kind) : dimension_(dimension), kind_(kind) {}
 
+  /// Memory for so many rows at once; a hint.
   void reserve(std::size_t rows);
 
   /// Adds one site.

@@ -6,10 +6,9 @@
 
 namespace orthoball {
 
-// One function a format, all alike: they take the bytes of a whole input and give its sites, or
-// throw ParseError that names the line. `read` fills in `file` and `format` and judges emptiness.
-// Each is defined in the file of its name.
-
+/// One function a format, all alike: they take the bytes of a whole input and give its sites, or
+/// throw ParseError that names the line. `read` fills in `file` and `format` and judges emptiness.
+/// Each is defined in the file of its name.
 [[nodiscard]] Reading read_table(const Source& source, const ReadOptions& options);
 [[nodiscard]] Reading read_alpha_1995(const Source& source, const ReadOptions& options);
 [[nodiscard]] Reading read_off(const Source& source, const ReadOptions& options);

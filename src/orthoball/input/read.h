@@ -20,6 +20,7 @@ struct MoleculeOptions {
   std::vector<std::string> chains;  ///< keep these only; empty: all
 };
 
+/// How a file is to be read; each default is what its name and content suggest.
 struct ReadOptions {
   std::string format;                ///< a name of input_formats(); empty: from the file name
   std::optional<int> dimension;      ///< 2 or 3; empty: as the file suggests

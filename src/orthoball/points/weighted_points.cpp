@@ -29,8 +29,8 @@ void check_sizes(int dimension, std::size_t coordinates, WeightKind kind, std::s
   const std::size_t rows = coordinates / axes;
   const std::size_t expected = kind == WeightKind::none ? 0 : rows;
   if (weights != expected) {
-    fail(std::to_string(weights) + " weights for " + std::to_string(rows) + " points; there must be " +
-         std::to_string(expected));
+    fail(std::to_string(weights) + " weights for " + std::to_string(rows) +
+         " points; there must be " + std::to_string(expected));
   }
   if (rows >= std::numeric_limits<std::uint32_t>::max() - 1) {
     throw LimitError(std::to_string(rows) + " sites; at most 2^32 - 3 can be numbered");
@@ -94,8 +94,8 @@ WeightedPoints WeightedPoints::fixed_point(int dimension, int decimals,
 }
 
 double WeightedPoints::coordinate(std::size_t row, int axis) const {
-  const double number = coordinates_[static_cast<std::size_t>(dimension_) * row +
-                                     static_cast<std::size_t>(axis)];
+  const double number =
+      coordinates_[static_cast<std::size_t>(dimension_) * row + static_cast<std::size_t>(axis)];
   if (!decimals_ || *decimals_ == 0) return number;
   // An integer below 2^53 over a power of ten up to 10^22: both exact, so one rounding.
   if (*decimals_ <= 22) return number / std::pow(10.0, *decimals_);

@@ -92,8 +92,8 @@ class RegularTriangulation {
     std::vector<CellRecord<1>> segments;    // empty unless affine_dimension is 1
     std::vector<CellRecord<2>> triangles;   // ... 2
     std::vector<CellRecord<3>> tetrahedra;  // ... 3
-    std::vector<SiteId> hidden;
-    std::vector<Duplicate> duplicates;
+    std::vector<SiteId> hidden;             // ascending
+    std::vector<Duplicate> duplicates;      // ascending by row
   };
   explicit RegularTriangulation(Parts parts) : parts_(std::move(parts)) {}
 
