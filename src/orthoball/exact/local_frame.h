@@ -90,7 +90,7 @@ template <int D>
 /// A site in the integers of a frame: coordinates less those of an origin, and the weight.
 template <class Int, int D>
 struct IntegerSite {
-  Int x[D];
+  Int x[std::size_t{D}];
   Int weight;
 };
 

@@ -14,14 +14,14 @@ namespace orthoball {
 /// A site as the double stages of the predicates read it: 32 bytes in space, one half cache line.
 template <int D>
 struct alignas(D == 3 ? 32 : 8) Site {
-  double x[D];
+  double x[std::size_t{D}];
   double weight;
 };
 
 /// A site as the exact stages read it: every number is what it is.
 template <int D>
 struct ExactSite {
-  double x[D];
+  double x[std::size_t{D}];
   double weight_high;  ///< weight = (weight_high + weight_low) * 2^weight_exponent
   double weight_low;
   int weight_exponent;

@@ -32,8 +32,8 @@ inline constexpr std::uint32_t kOutside = 0xFFFFFFFFU;
 /// where A is the dimension of space: a triangle in space has no orientation).
 template <int A>
 struct alignas(A == 3 ? 32 : 4) CellRecord {
-  std::array<std::uint32_t, A + 1> corners;     ///< vertices by number
-  std::array<std::uint32_t, A + 1> neighbours;  ///< 4 * cell + corner, or kOutside
+  std::array<std::uint32_t, std::size_t{A + 1}> corners;     ///< vertices by number
+  std::array<std::uint32_t, std::size_t{A + 1}> neighbours;  ///< 4 * cell + corner, or kOutside
 };
 
 /// The regular (weighted Delaunay) triangulation of weighted points: Del B of the paper.
