@@ -27,7 +27,8 @@ struct ReadOptions {
   std::vector<std::string> columns;  ///< coordinate columns: 1-based numbers or names
   std::string radius_column;         ///< 1-based number or name; empty: none
   std::string weight_column;         ///< as above; excludes radius_column
-  std::string radii = "bondi";       ///< bondi, alvarez, protor, none, or a file's path
+  std::string radii;                 ///< bondi, alvarez, protor, none, or a file's path; empty:
+                                     ///< the radii in a molecule's file, else bondi
   std::optional<std::string> default_radius;  ///< a decimal, for elements without a radius
   MoleculeOptions molecule;
   bool allow_empty = false;  ///< a file without any site is no error
