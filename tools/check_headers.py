@@ -6,7 +6,7 @@ A declaration is documented by a comment directly above it or at its end, or by 
 of declarations without an empty line that a comment opens. Types, free functions, constants of the
 namespace, public member functions, and fields that are arrays (whose shape must be said) need one.
 What its signature, its type or its body says in full does not: constructors, operators, friends,
-other fields, enumerators, and members defined where they stand.
+other fields, enumerators, members defined where they stand, and namespaces named x_detail.
 """
 
 import argparse
@@ -155,7 +155,7 @@ class Reader:
                     name = declared_name(bare)
                     if kind != "namespace":
                         self.judge(text, first, first, True)
-                    hidden = kind == "namespace" and "internal" in bare
+                    hidden = kind == "namespace" and name.endswith("detail")
                     self.scopes.append(Scope(kind, name, kind != "class" and not hidden))
                     declaration, first = "", None
                 else:
