@@ -32,18 +32,22 @@ Int orientation(const std::array<ExactSite<D>, std::size_t{A + 1}>& sites,
 }  // namespace
 
 template <int A, int D>
-Sign exact_orient(const Sites<D>& sites, const Corners<A>& corners) {
-  std::array<ExactSite<D>, std::size_t{A + 1}> exact;
-  for (std::size_t i = 0; i <= A; ++i) exact[i] = sites.exact(corners[i]);
+Sign exact_orient(const Sites<D>& sites, const Corners<A>& corners,
+                  const std::array<int, std::size_t{A}>& axes) {
+  std::array<ExactSite<D>, std::size_t{A + 1}> exact{};  // without weights and other axes
+  for (std::size_t i = 0; i <= A; ++i) {
+    const ExactSite<D> site = sites.exact(corners[i]);
+    for (std::size_t axis = 0; axis < A; ++axis) exact[i].x[axis] = site.x[axes[axis]];
+  }
   const LocalFrame frame = local_frame<D>(exact);
-  const int bits = A * frame.bits + 4;  // A! < 2^4
+  const int bits = A * (frame.bits + 1) + 4;  // A! < 2^4
   return with_width(bits, [&]<class Int>() { return orientation<Int, A, D>(exact, frame).sign(); });
 }
 
-template Sign exact_orient<1, 2>(const Sites<2>&, const Corners<1>&);
-template Sign exact_orient<2, 2>(const Sites<2>&, const Corners<2>&);
-template Sign exact_orient<1, 3>(const Sites<3>&, const Corners<1>&);
-template Sign exact_orient<2, 3>(const Sites<3>&, const Corners<2>&);
-template Sign exact_orient<3, 3>(const Sites<3>&, const Corners<3>&);
+template Sign exact_orient<1, 2>(const Sites<2>&, const Corners<1>&, const std::array<int, 1>&);
+template Sign exact_orient<2, 2>(const Sites<2>&, const Corners<2>&, const std::array<int, 2>&);
+template Sign exact_orient<1, 3>(const Sites<3>&, const Corners<1>&, const std::array<int, 1>&);
+template Sign exact_orient<2, 3>(const Sites<3>&, const Corners<2>&, const std::array<int, 2>&);
+template Sign exact_orient<3, 3>(const Sites<3>&, const Corners<3>&, const std::array<int, 3>&);
 
 }  // namespace orthoball

@@ -63,9 +63,10 @@ template <int A, int D>
           sites.is_integral() && kOrientTerms<A> * magnitude <= kExactIntegers};
 }
 
-/// Stage 2: the same sign in wide integers. Exact on any finite numbers.
+/// Stage 2: the same sign in wide integers, on any A axes. Exact on any finite numbers.
 template <int A, int D>
-[[nodiscard]] Sign exact_orient(const Sites<D>& sites, const Corners<A>& corners);
+[[nodiscard]] Sign exact_orient(const Sites<D>& sites, const Corners<A>& corners,
+                                const std::array<int, std::size_t{A}>& axes);
 
 /// Sign of det [1 p] over A + 1 sites, on their first A axes: positive for b right of a on a line,
 /// for a counterclockwise triangle a, b, c, for a tetrahedron whose corner d sees a, b, c
@@ -79,7 +80,9 @@ template <int A, int D>
   if (determinant.is_exact) {
     return static_cast<Sign>((determinant.value > 0) - (determinant.value < 0));
   }
-  return exact_orient<A, D>(sites, corners);
+  std::array<int, std::size_t{A}> axes;
+  for (int i = 0; i < A; ++i) axes[static_cast<std::size_t>(i)] = i;
+  return exact_orient<A, D>(sites, corners, axes);
 }
 
 }  // namespace orthoball

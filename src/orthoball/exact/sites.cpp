@@ -174,6 +174,18 @@ Sites<D> Sites<D>::subset(std::span<const std::uint32_t> kept) const {
   return result;
 }
 
+template <int D>
+Sites<D> Sites<D>::with_axes(const std::array<int, std::size_t{D}>& axes) const {
+  Sites result = *this;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    for (std::size_t i = 0; i < sites_.size(); ++i)
+      result.sites_[i].x[axis] = sites_[i].x[axes[axis]];
+    for (std::size_t i = 0; i < exact_.size(); ++i)
+      result.exact_[i].x[axis] = exact_[i].x[axes[axis]];
+  }
+  return result;
+}
+
 template class Sites<2>;
 template class Sites<3>;
 

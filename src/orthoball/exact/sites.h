@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -71,6 +72,8 @@ class Sites {
 
   /// The sites `kept[0], kept[1], ...` of this in that order.
   [[nodiscard]] Sites subset(std::span<const std::uint32_t> kept) const;
+  /// The same sites with coordinate axes[i] as coordinate i.
+  [[nodiscard]] Sites with_axes(const std::array<int, std::size_t{D}>& axes) const;
 
  private:
   std::vector<Site<D>> sites_;

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "orthoball/error.h"
+#include "orthoball/triangulation/regular_triangulation.h"
+
+namespace orthoball {
+
+/// The cells of a triangulation that is being built; knows no coordinates.
+///
+/// Every facet has two sides: the hull's facets are closed by cells that have the vertex at
+/// infinity, numbered `infinity()`, as one corner. Cells are positively oriented; a cell at
+/// infinity is so if a point beyond its finite facet takes the place of infinity. Dead cells stay
+/// until reused.
+template <int A>
+class CellStore {
+ public:
+  using Cell = CellRecord<A>;  // neighbours are 4 * cell + corner, never kOutside
+
+  /// @param vertices  numbers of finite vertices are below.
+  explicit CellStore(std::uint32_t vertices) : infinity_(vertices) {}
+
+  [[nodiscard]] std::uint32_t infinity() const { return infinity_; }
+  [[nodiscard]] std::size_t size() const { return cells_.size(); }  // dead ones included
+  [[nodiscard]] const Cell& operator[](std::uint32_t cell) const { return cells_[cell]; }
+  [[nodiscard]] Cell& operator[](std::uint32_t cell) { return cells_[cell]; }
+
+  /// Corner at infinity, A + 1 for a finite cell.
+  [[nodiscard]] std::size_t corner_at_infinity(const Cell& cell) const {
+    std::size_t corner = 0;
+    while (corner <= A && cell.corners[corner] != infinity_) ++corner;
+    return corner;
+  }
+  [[nodiscard]] bool is_finite(const Cell& cell) const {
+    bool finite = true;
+    for (const std::uint32_t vertex : cell.corners) finite &= vertex != infinity_;
+    return finite;
+  }
+
+  void reserve(std::size_t cells) {
+    cells_.reserve(cells);
+    mark_.reserve(cells);
+  }
+  /// A new cell, or a released one.
+  [[nodiscard]] std::uint32_t acquire() {
+    if (!released_.empty()) {
+      const std::uint32_t cell = released_.back();
+      released_.pop_back();
+      return cell;
+    }
+    constexpr std::size_t kMostCells = std::size_t{1}
+                                       << 30U;  // neighbours keep 2 bits for a corner
+    if (cells_.size() == kMostCells) {
+      throw LimitError("more than 2^30 cells in the triangulation; at most 150 million sites fit");
+    }
+    cells_.emplace_back();
+    mark_.push_back(0);
+    return static_cast<std::uint32_t>(cells_.size() - 1);
+  }
+  /// `cell` is dead and may be given again.
+  void release(std::uint32_t cell) {
+    cells_[cell].corners[0] = kDead;
+    released_.push_back(cell);
+  }
+  [[nodiscard]] bool is_alive(std::uint32_t cell) const { return cells_[cell].corners[0] != kDead; }
+
+  /// A word for each cell that the searches mark visits with.
+  [[nodiscard]] std::uint32_t& mark(std::uint32_t cell) { return mark_[cell]; }
+
+  /// Makes two facets each other's other side.
+  void join(std::uint32_t cell_and_corner, std::uint32_t other) {
+    cells_[cell_and_corner / 4].neighbours[cell_and_corner % 4] = other;
+    cells_[other / 4].neighbours[other % 4] = cell_and_corner;
+  }
+
+ private:
+  static constexpr std::uint32_t kDead = 0xFFFFFFFFU;
+
+  std::uint32_t infinity_;
+  std::vector<Cell> cells_;
+  std::vector<std::uint32_t> mark_;
+  std::vector<std::uint32_t> released_;
+};
+
+}  // namespace orthoball

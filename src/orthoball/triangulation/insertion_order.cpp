@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+//
+// The curve's index of a point is read off its coordinates one bit of each at a time. The state is
+// how the small cube at hand is turned: the corner where the curve enters it and the axis along
+// which it leaves. Both follow from Gray codes; a table of all states, made at compile time, gives
+// the digit of the index and the next state at one look-up a level.
+#include "orthoball/triangulation/insertion_order.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "orthoball/radix_sort.h"
+
+namespace orthoball {
+namespace {
+
+// Turns the D low bits to the left by `by`.
+template <unsigned D>
+constexpr unsigned turned_left(unsigned bits, unsigned by) {
+  by %= D;
+  return ((bits << by) | (bits >> (D - by))) & ((1U << D) - 1);
+}
+
+template <unsigned D>
+struct CurveTable {
+  struct Step {
+    std::uint8_t digit;
+    std::uint8_t next;  // state
+  };
+  // [state * 2^D + one bit of each coordinate]; state = entry corner * D + exit axis
+  std::array<Step, (1U << D) * D*(1U << D)> steps{};
+
+  constexpr CurveTable() {
+    for (unsigned entry = 0; entry < 1U << D; ++entry) {
+      for (unsigned axis = 0; axis < D; ++axis) {
+        for (unsigned bits = 0; bits < 1U << D; ++bits) {
+          steps[(entry * D + axis) * (1U << D) + bits] = step(entry, axis, bits);
+        }
+      }
+    }
+  }
+
+ private:
+  static constexpr unsigned gray(unsigned i) { return i ^ (i >> 1U); }
+
+  static constexpr Step step(unsigned entry, unsigned axis, unsigned bits) {
+    // In the frame of the cube, the curve enters at 0 and leaves along the highest axis.
+    const unsigned local = turned_left<D>(bits ^ entry, D - (axis + 1) % D);
+    unsigned digit = local;
+    for (unsigned shift = 1; shift < D; ++shift) digit ^= local >> shift;
+    const unsigned before = digit == 0 ? 0 : gray(2 * ((digit - 1) / 2));
+    const unsigned entry_next = entry ^ turned_left<D>(before, axis + 1);
+    const unsigned changes = digit == 0 ? 0 : digit % 2 == 0 ? digit - 1 : digit;
+    unsigned ones = 0;  // trailing ones of `changes`: the axis along which the small curve runs
+    while ((changes >> ones & 1U) != 0) ++ones;
+    const unsigned axis_next = (axis + ones % D + 1) % D;
+    return {static_cast<std::uint8_t>(digit),
+            static_cast<std::uint8_t>(entry_next * D + axis_next)};
+  }
+};
+
+template <int D>
+std::uint64_t curve_index(const std::array<std::uint32_t, std::size_t{D}>& cube, unsigned levels) {
+  static constexpr CurveTable<unsigned{D}> kTable;
+  std::uint64_t index = 0;
+  std::size_t state = 0;
+  for (unsigned level = levels; level-- > 0;) {
+    std::size_t bits = 0;
+    for (std::size_t axis = 0; axis < D; ++axis) bits |= ((cube[axis] >> level) & 1U) << axis;
+    const auto step = kTable.steps[(state << D) + bits];
+    index = (index << D) | step.digit;
+    state = step.next;
+  }
+  return index;
+}
+
+// The box of the sites, as the map from coordinates to integers below 2^levels. Halved numbers: no
+// difference of finite doubles overflows.
+template <int D>
+class Box {
+ public:
+  static constexpr unsigned kLevels = D == 2 ? 31 : 21;
+
+  explicit Box(std::span<const double> coordinates) {
+    std::array<double, std::size_t{D}> high{};
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+      const double half = 0.5 * coordinates[i];
+      double& low = low_[i % D];
+      if (i < D || half < low) low = half;
+      if (i < D || half > high[i % D]) high[i % D] = half;
+    }
+    double extent = 0.0;
+    for (std::size_t axis = 0; axis < D; ++axis) extent = std::max(extent, high[axis] - low_[axis]);
+    exponent_ = extent > 0.0 ? static_cast<int>(kLevels) - 1 - std::ilogb(extent) : 0;
+    // One factor where it is a double, for speed.
+    factor_ = std::abs(exponent_) < 1000 ? std::ldexp(1.0, exponent_) : 0.0;
+  }
+
+  [[nodiscard]] std::uint32_t integer(double coordinate, std::size_t axis) const {
+    const double distance = 0.5 * coordinate - low_[axis];
+    const double scaled = factor_ != 0.0 ? distance * factor_ : std::ldexp(distance, exponent_);
+    return std::min(static_cast<std::uint32_t>(scaled), (std::uint32_t{1} << kLevels) - 1);
+  }
+
+ private:
+  std::array<double, std::size_t{D}> low_{};
+  int exponent_ = 0;
+  double factor_ = 1.0;
+};
+
+// Coordinates, then weight: the order of sites in one cube of the curve; 0 for equal sites.
+template <int D>
+int compared(const WeightedPoints& points, std::uint32_t a, std::uint32_t b) {
+  const auto order = [](double p, double q) { return (p > q) - (p < q); };
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const int by = order(points.coordinates()[D * a + axis], points.coordinates()[D * b + axis]);
+    if (by != 0) return by;
+  }
+  if (points.weight_kind() == WeightKind::none) return 0;
+  const int by = order(points.weights()[a], points.weights()[b]);
+  if (by != 0 || points.weights_low().empty()) return by;
+  return order(points.weights_low()[a], points.weights_low()[b]);
+}
+
+std::uint64_t scrambled(std::uint64_t number) {
+  number = (number ^ (number >> 31U)) * 0x9E3779B97F4A7C15ULL;
+  number = (number ^ (number >> 29U)) * 0xD1B54A32D192ED03ULL;
+  return number ^ (number >> 32U);
+}
+
+}  // namespace
+
+template <int D>
+CurveOrder curve_order(const WeightedPoints& points) {
+  const Box<D> box(points.coordinates());
+  std::vector<KeyedRow> keyed(points.size());
+  for (std::uint32_t row = 0; row < keyed.size(); ++row) {
+    std::array<std::uint32_t, std::size_t{D}> cube;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      cube[axis] = box.integer(points.coordinates()[D * row + axis], axis);
+    }
+    keyed[row] = {curve_index<D>(cube, Box<D>::kLevels), row};
+  }
+  radix_sort(keyed);
+
+  CurveOrder order;
+  order.rows.reserve(keyed.size());
+  for (std::size_t first = 0; first < keyed.size();) {
+    std::size_t last = first + 1;
+    while (last < keyed.size() && keyed[last].key == keyed[first].key) ++last;
+    if (last - first > 1) {
+      std::sort(keyed.begin() + static_cast<std::ptrdiff_t>(first),
+                keyed.begin() + static_cast<std::ptrdiff_t>(last),
+                [&](const KeyedRow& a, const KeyedRow& b) {
+                  const int by = compared<D>(points, a.row, b.row);
+                  return by != 0 ? by < 0 : a.row < b.row;
+                });
+    }
+    for (std::size_t i = first; i < last; ++i) {
+      const bool repeats =
+          i > first && compared<D>(points, order.rows.back().row(), keyed[i].row) == 0;
+      if (repeats) {
+        order.duplicates.push_back({SiteId(keyed[i].row), order.rows.back()});
+      } else {
+        order.rows.push_back(SiteId(keyed[i].row));
+      }
+    }
+    first = last;
+  }
+  std::sort(order.duplicates.begin(), order.duplicates.end(),
+            [](const Duplicate& a, const Duplicate& b) { return a.row < b.row; });
+  return order;
+}
+
+std::vector<std::uint32_t> insertion_order(std::size_t count) {
+  // Rounds from the last: of those left, each site stays for an earlier round with chance 1/8.
+  constexpr std::size_t kSmallestRound = 64;
+  std::vector<std::vector<std::uint32_t>> rounds(1);
+  rounds[0].resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) rounds[0][i] = i;
+  while (rounds.back().size() > kSmallestRound) {
+    std::vector<std::uint32_t> earlier;
+    std::vector<std::uint32_t>& latest = rounds.back();
+    std::size_t kept = 0;
+    for (const std::uint32_t site : latest) {
+      if (scrambled(site + (std::uint64_t{rounds.size()} << 32U)) % 8 == 0) {
+        earlier.push_back(site);
+      } else {
+        latest[kept++] = site;
+      }
+    }
+    latest.resize(kept);
+    if (earlier.empty()) break;
+    rounds.push_back(std::move(earlier));
+  }
+  std::vector<std::uint32_t> order;
+  order.reserve(count);
+  for (std::size_t round = rounds.size(); round-- > 0;) {
+    order.insert(order.end(), rounds[round].begin(), rounds[round].end());
+  }
+  return order;
+}
+
+template CurveOrder curve_order<2>(const WeightedPoints&);
+template CurveOrder curve_order<3>(const WeightedPoints&);
+
+}  // namespace orthoball

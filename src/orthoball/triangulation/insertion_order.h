@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "orthoball/ids.h"
+#include "orthoball/points/weighted_points.h"
+#include "orthoball/triangulation/regular_triangulation.h"
+
+namespace orthoball {
+
+/// The distinct sites of an input along a space-filling curve, and the rows put aside.
+struct CurveOrder {
+  std::vector<SiteId> rows;           ///< lowest row of every distinct site, in curve order
+  std::vector<Duplicate> duplicates;  ///< ascending by row
+};
+
+/// Orders the sites along a Hilbert curve through their bounding box, those in one of its 2^63
+/// cubes (2^62 squares) lexicographically by coordinates and weight. The order depends on the set
+/// of sites only, not on their rows. O(n) time.
+/// @tparam D  2 or 3, points.dimension().   @cite skilling_2004
+template <int D>
+[[nodiscard]] CurveOrder curve_order(const WeightedPoints& points);
+
+/// The order in which sites numbered along a curve are inserted: random rounds, each about seven
+/// times the one before, and within a round along the curve. So every site finds the triangulation
+/// of a sample of all, and the place of its predecessor nearby. Seeded by the number alone.
+/// @cite amenta_choi_rote_2003
+[[nodiscard]] std::vector<std::uint32_t> insertion_order(std::size_t count);
+
+}  // namespace orthoball
