@@ -14,9 +14,13 @@
 #include <CGAL/Regular_triangulation_2.h>
 #include <CGAL/Regular_triangulation_3.h>
 
+#include <cmath>
+#include <cstddef>
 #include <iterator>
-#include <tuple>
+#include <stdexcept>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "benchmarks/case.h"
 

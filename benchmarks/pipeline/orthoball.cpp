@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Our side of a comparison, see case.h.
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
 #include "benchmarks/case.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/signatures/signature.h"
