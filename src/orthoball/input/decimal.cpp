@@ -181,7 +181,13 @@ DecimalParse parse_decimal(std::string_view text) {
 
 DecimalNumber decimal_number(Int128 digits, int exponent) {
   if (digits == 0) return {};
-  for (; digits % 10 == 0; digits /= 10) ++exponent;
+  constexpr auto kLong = Int128{1} << 62;  // divisions of short numbers are far faster
+  for (; (digits > kLong || digits < -kLong) && digits % 10 == 0; digits /= 10) ++exponent;
+  if (digits <= kLong && digits >= -kLong) {
+    auto rest = static_cast<std::int64_t>(digits);
+    for (; rest % 10 == 0; rest /= 10) ++exponent;
+    digits = rest;
+  }
   const double nearest = nearest_double(digits, exponent);
   if (nearest == 0.0) return {};
   return {nearest, exponent, true, digits};

@@ -10,6 +10,8 @@ namespace orthoball {
 /// throw ParseError that names the line. `read` fills in `file` and `format` and judges emptiness.
 /// Each is defined in the file of its name.
 [[nodiscard]] Reading read_table(const Source& source, const ReadOptions& options);
+/// Does a line before the first point say `#fix: W.A`, as in the point files of the 1995 programs?
+[[nodiscard]] bool is_alpha_1995(std::string_view text);
 [[nodiscard]] Reading read_alpha_1995(const Source& source, const ReadOptions& options);
 [[nodiscard]] Reading read_off(const Source& source, const ReadOptions& options);
 [[nodiscard]] Reading read_obj(const Source& source, const ReadOptions& options);

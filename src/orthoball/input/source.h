@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -38,6 +39,8 @@ class Lines {
   [[nodiscard]] bool next(std::string_view& line);
   /// 1-based number of the line last returned.
   [[nodiscard]] std::size_t number() const { return number_; }
+  /// What follows the line last returned and its end.
+  [[nodiscard]] std::string_view rest() const { return text_.substr(std::min(at_, text_.size())); }
 
  private:
   std::string_view text_;

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "orthoball/input/text_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "orthoball/error.h"
+#include "orthoball/input/fields.h"
+
+namespace orthoball {
+namespace {
+
+// The product of two decimals, exact where both are short.
+DecimalNumber product(const DecimalNumber& a, const DecimalNumber& b) {
+  const auto is_short = [](const DecimalNumber& number) {
+    constexpr auto kLimit = Int128{1} << 63;
+    return number.is_exact && number.digits < kLimit && number.digits > -kLimit;
+  };
+  const double nearest = a.nearest * b.nearest;
+  if (is_short(a) && is_short(b) && std::isfinite(nearest)) {
+    return decimal_number(a.digits * b.digits, a.exponent + b.exponent);
+  }
+  return {nearest + 0.0, 0, false, 0};
+}
+
+}  // namespace
+
+void TextRows::name_columns(std::size_t line, std::vector<std::string> names) {
+  names_ = std::move(names);
+  names_line_ = line;
+}
+
+void TextRows::scale_by(const DecimalNumber& scale) {
+  scale_ = scale;
+  is_scaled_ = true;
+}
+
+void TextRows::choose(std::size_t line, std::span<const std::string_view> fields) {
+  first_line_ = names_.empty() ? line : names_line_;
+  count_ = names_.empty() ? fields.size() : names_.size();
+  if (count_ != fields.size()) return;
+  const auto is_number = [](std::string_view field) {
+    return parse_decimal(field).fault != DecimalFault::not_a_number;
+  };
+  const auto numbers = std::count_if(fields.begin(), fields.end(), is_number);
+  columns_ = chosen_columns(source_.name, options_,
+                            {names_, count_, static_cast<std::size_t>(numbers), line});
+  rows_ = DecimalRows(columns_.dimension, columns_.weight_kind);
+  numbers_.resize(columns_.coordinates.size());
+}
+
+DecimalNumber TextRows::number(std::size_t line, std::span<const std::string_view> fields,
+                               std::size_t column) const {
+  const DecimalParse parse = parse_decimal(fields[column]);
+  if (parse.fault == DecimalFault::none) return parse.number;
+  const bool has_name = column < names_.size() && !names_[column].empty();
+  return number_at(source_, line, fields[column],
+                   "column " + std::to_string(column + 1) +
+                       (has_name ? " (" + quoted(names_[column]) + ")" : ""));
+}
+
+void TextRows::add(std::size_t line, std::span<const std::string_view> fields) {
+  if (lines_.empty()) choose(line, fields);
+  if (fields.size() != count_) {
+    throw ParseError(source_.name, line,
+                     std::to_string(fields.size()) + (fields.size() == 1 ? " column" : " columns") +
+                         ", expected " + std::to_string(count_) + " as on line " +
+                         std::to_string(first_line_));
+  }
+  DecimalNumber weight;
+  for (std::size_t axis = 0; axis < numbers_.size(); ++axis) {
+    numbers_[axis] = number(line, fields, columns_.coordinates[axis]);
+  }
+  if (columns_.weight_kind != WeightKind::none) weight = number(line, fields, columns_.weight);
+  for (const DecimalNumber& number : numbers_) decimals_ = std::max(decimals_, -number.exponent);
+  if (columns_.weight_kind == WeightKind::radius) {
+    decimals_ = std::max(decimals_, -weight.exponent);
+  }
+  if (is_scaled_) {
+    for (DecimalNumber& number : numbers_) number = product(number, scale_);
+    weight = product(weight, scale_);
+    if (columns_.weight_kind == WeightKind::weight) weight = product(weight, scale_);
+    const auto is_large = [](const DecimalNumber& number) {
+      return !std::isfinite(number.nearest);
+    };
+    if (is_large(weight) || std::any_of(numbers_.begin(), numbers_.end(), is_large)) {
+      throw ParseError(source_.name, line,
+                       "a number times the scale is out of range; numbers must be below 1.8e308");
+    }
+  }
+  rows_.add(numbers_, weight);
+  lines_.push_back(static_cast<std::uint32_t>(
+      std::min<std::size_t>(line, std::numeric_limits<std::uint32_t>::max())));
+}
+
+Reading TextRows::reading() && {
+  if (lines_.empty()) {
+    rows_ = DecimalRows(options_.dimension.value_or(3), WeightKind::none);
+    columns_.radii = "none";
+  }
+  Reading reading{.points = std::move(rows_).points(),
+                  .labels = {},
+                  .file = {},
+                  .format = {},
+                  .radii = columns_.radii,
+                  .notes = {},
+                  .warnings = {}};
+  reading.labels.line = std::move(lines_);
+  if (!columns_.note.empty()) reading.notes.push_back(columns_.note);
+  return reading;
+}
+
+}  // namespace orthoball
