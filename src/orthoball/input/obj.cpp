@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// Wavefront OBJ: the vertices, lines `v x y z`. Four numbers are a rational vertex, of which only
+// weight 1 is a point; six or seven carry a colour. Everything else in the file is passed over.
+
+#include <utility>
+
+#include "orthoball/error.h"
+#include "orthoball/input/fields.h"
+#include "orthoball/input/formats.h"
+#include "orthoball/input/text_rows.h"
+
+namespace orthoball {
+
+Reading read_obj(const Source& source, const ReadOptions& options) {
+  Lines lines(source.bytes);
+  std::string_view line;
+  std::vector<std::string_view> fields;
+  TextRows sites(source, options);
+  while (lines.next(line)) {
+    line = trimmed(line);
+    if (line.size() < 2 || line[0] != 'v' || (line[1] != ' ' && line[1] != '\t')) continue;
+    split_at_blanks(line.substr(1, line.find('#') - 1), fields);
+    const auto fail = [&](const std::string& message) {
+      throw ParseError(source.name, lines.number(), message);
+    };
+    if (fields.size() < 3) fail("a vertex with fewer than 3 coordinates; x, y and z are needed");
+    const bool has_own_use = !options.radius_column.empty() || !options.weight_column.empty();
+    if (fields.size() == 4 && !has_own_use &&
+        number_at(source, lines.number(), fields[3], "the vertex weight").nearest != 1.0) {
+      fail("a rational vertex with weight " + quoted(fields[3]) +
+           "; only 1 is a point (a radius is named by --radius-column 4)");
+    }
+    if (sites.size() == 0) {
+      std::vector<std::string> names{"x", "y", "z"};
+      names.resize(fields.size());
+      sites.name_columns(lines.number(), std::move(names));
+    }
+    sites.add(lines.number(), fields);
+  }
+  return std::move(sites).reading();
+}
+
+}  // namespace orthoball
