@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "orthoball/input/columns.h"
+#include "orthoball/input/source.h"
+
+namespace orthoball {
+
+/// The kinds of numbers in binary files.
+enum class NumberType {
+  int8,
+  uint8,
+  int16,
+  uint16,
+  int32,
+  uint32,
+  int64,
+  uint64,
+  float32,
+  float64,
+};
+
+[[nodiscard]] std::size_t size_in_bytes(NumberType type);
+
+/// The number whose size_in_bytes(type) bytes begin at `bytes`, as a double. NaN for an integer
+/// above 2^53 in size, which a double might not hold.
+[[nodiscard]] double number_from_bytes(const char* bytes, NumberType type, bool is_big_endian);
+
+/// An unsigned little-endian number of `size` <= 8 bytes.
+[[nodiscard]] std::uint64_t unsigned_from_bytes(const char* bytes, std::size_t size);
+
+/// Collects the rows of a binary file as the doubles they are.
+class BinaryRows {
+ public:
+  /// `source` must live as long as this does.
+  BinaryRows(const Source& source, Columns columns)
+      : source_(source), columns_(std::move(columns)) {}
+
+  /// @param row     all columns.
+  /// @param offset  in bytes from the begin of the file, for messages.
+  /// @throws ParseError for a number that is not finite.
+  void add(std::span<const double> row, std::size_t offset);
+
+  /// All but `file` and `format`. Takes the rows with it.
+  [[nodiscard]] Reading reading() &&;
+
+ private:
+  const Source& source_;
+  Columns columns_;
+  std::vector<double> coordinates_;  // [dimension * row + axis]
+  std::vector<double> weights_;      // [row]
+};
+
+}  // namespace orthoball
