@@ -29,7 +29,9 @@ struct Header {
 
 // What follows `'key':` in the dictionary.
 std::string_view value_of(const Source& source, std::string_view dictionary, std::string_view key) {
-  const std::size_t at = dictionary.find("'" + std::string(key) + "'");
+  std::string in_quotes(1, '\'');
+  in_quotes.append(key).append(1, '\'');
+  const std::size_t at = dictionary.find(in_quotes);
   const std::size_t colon = at == std::string_view::npos ? at : dictionary.find(':', at);
   if (colon == std::string_view::npos) {
     throw ParseError(source.name, 0, "byte 10: the header has no " + quoted(key));
