@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "generators/random.h"
+
 namespace orthoball::generators {
 
 std::ostream& operator<<(std::ostream& stream, const Case& one) {
@@ -22,8 +24,8 @@ std::vector<Case> cases(std::size_t seeds, std::size_t smallest, std::size_t lar
   for (const PointFamily family : point_families()) {
     for (int dimension = 2; dimension <= 3; ++dimension) {
       for (std::size_t seed = 0; seed < seeds; ++seed) {
-        // The largest count first: it is the one that finds most.
-        const std::size_t count = largest - seed % (largest - smallest + 1);
+        const std::size_t spread = Random(seed).bits() % (largest - smallest + 1);
+        const std::size_t count = seed == 0 ? largest : smallest + spread;
         cases.push_back({family, dimension, count, seed});
       }
     }

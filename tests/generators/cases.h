@@ -24,8 +24,8 @@ std::ostream& operator<<(std::ostream& stream, const Case& one);
 /// Whether the environment asks for the long form of random tests: ORTHOBALL_LONG=1.
 [[nodiscard]] bool is_long_run();
 
-/// `seeds` cases of every family in both dimensions (ten times as many in a long run), their counts
-/// going through `smallest`..`largest`.
+/// `seeds` cases of every family in both dimensions (ten times as many in a long run), with
+/// `largest` sites at first, then any number in `smallest`..`largest`.
 [[nodiscard]] std::vector<Case> cases(std::size_t seeds, std::size_t smallest, std::size_t largest);
 
 }  // namespace orthoball::generators

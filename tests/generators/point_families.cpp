@@ -422,6 +422,21 @@ WeightedPoints with_rows(const WeightedPoints& points, std::span<const std::uint
                                      std::move(weights_low));
 }
 
+WeightedPoints scaled_by_power_of_two(const WeightedPoints& points, int exponent) {
+  if (points.decimals()) throw std::invalid_argument("decimals have no powers of two");
+  const auto scaled = [](std::span<const double> numbers, int by) {
+    std::vector<double> result;
+    for (const double number : numbers) {
+      result.push_back(std::ldexp(number, by));
+      if (std::ldexp(result.back(), -by) != number) throw std::invalid_argument("inexact scaling");
+    }
+    return result;
+  };
+  const int of_weights = points.weight_kind() == WeightKind::radius ? exponent : 2 * exponent;
+  return {points.dimension(), scaled(points.coordinates(), exponent), points.weight_kind(),
+          scaled(points.weights(), of_weights)};
+}
+
 std::vector<std::uint32_t> random_permutation(std::size_t count, std::uint64_t seed) {
   Random random(seed);
   std::vector<std::uint32_t> permutation(count);

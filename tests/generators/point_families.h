@@ -45,6 +45,10 @@ enum class PointFamily {
 [[nodiscard]] WeightedPoints with_rows(const WeightedPoints& points,
                                        std::span<const std::uint32_t> rows);
 
+/// Lengths times 2^exponent; every number stays exact or this throws std::invalid_argument. Not for
+/// decimals.
+[[nodiscard]] WeightedPoints scaled_by_power_of_two(const WeightedPoints& points, int exponent);
+
 /// 0..count-1 in random order.
 [[nodiscard]] std::vector<std::uint32_t> random_permutation(std::size_t count, std::uint64_t seed);
 

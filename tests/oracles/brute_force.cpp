@@ -49,26 +49,6 @@ void for_each_subset(unsigned count, std::size_t size, const std::function<void(
 
 using Matrix = std::vector<std::vector<Integer>>;
 
-Integer determinant(const Matrix& matrix) {
-  if (matrix.empty()) return 1;
-  if (matrix.size() == 1) return matrix[0][0];
-  Integer sum = 0;
-  for (std::size_t row = 0; row < matrix.size(); ++row) {
-    if (matrix[row][0] == 0) continue;
-    Matrix minor;
-    for (std::size_t other = 0; other < matrix.size(); ++other) {
-      if (other != row) minor.emplace_back(matrix[other].begin() + 1, matrix[other].end());
-    }
-    const Integer term = matrix[row][0] * determinant(minor);
-    if (row % 2 == 0) {
-      sum += term;
-    } else {
-      sum -= term;
-    }
-  }
-  return sum;
-}
-
 // The distinct sites, in the order that the perturbation ranks them.
 class Sites {
  public:

@@ -103,4 +103,24 @@ double nearest_double(const Rational& value) {
   return value < 0 ? -magnitude : magnitude;
 }
 
+Integer determinant(const std::vector<std::vector<Integer>>& matrix) {
+  if (matrix.empty()) return 1;
+  if (matrix.size() == 1) return matrix[0][0];
+  Integer sum = 0;
+  for (std::size_t row = 0; row < matrix.size(); ++row) {
+    if (matrix[row][0] == 0) continue;
+    std::vector<std::vector<Integer>> minor;
+    for (std::size_t other = 0; other < matrix.size(); ++other) {
+      if (other != row) minor.emplace_back(matrix[other].begin() + 1, matrix[other].end());
+    }
+    const Integer term = matrix[row][0] * determinant(minor);
+    if (row % 2 == 0) {
+      sum += term;
+    } else {
+      sum -= term;
+    }
+  }
+  return sum;
+}
+
 }  // namespace orthoball::oracles

@@ -24,4 +24,7 @@ struct ExactPoints {
 /// Correctly rounded, ties to even; infinite beyond the double range, subnormals included.
 [[nodiscard]] double nearest_double(const Rational& value);
 
+/// Of a square matrix, by Laplace's expansion; 1 for an empty one.
+[[nodiscard]] Integer determinant(const std::vector<std::vector<Integer>>& matrix);
+
 }  // namespace orthoball::oracles
