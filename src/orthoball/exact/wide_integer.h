@@ -74,15 +74,25 @@ class WideInteger {
   }
   friend constexpr WideInteger operator-(const WideInteger& a) { return WideInteger() - a; }
   friend constexpr WideInteger operator*(const WideInteger& a, const WideInteger& b) {
+    std::size_t begin = 0, end = kLimbs;  // of the limbs of b that count
+    if constexpr (N > 16) {
+      // Of mixed scales most numbers are short for the width: leave out the zeros around them.
+      if (a.sign() == Sign::negative) return -(-a * b);
+      if (b.sign() == Sign::negative) return -(a * -b);
+      while (end > 0 && b.limbs_[end - 1] == 0) --end;
+      while (begin < end && b.limbs_[begin] == 0) ++begin;
+    }
     WideInteger product;
     for (std::size_t i = 0; i < kLimbs; ++i) {
       if (a.limbs_[i] == 0) continue;
       std::uint64_t carry = 0;
-      for (std::size_t j = 0; i + j < kLimbs; ++j) {
+      std::size_t j = begin;
+      for (; j < end && i + j < kLimbs; ++j) {
         const Word total = Word{a.limbs_[i]} * b.limbs_[j] + product.limbs_[i + j] + carry;
         product.limbs_[i + j] = static_cast<std::uint64_t>(total);
         carry = static_cast<std::uint64_t>(total >> 64U);
       }
+      if (i + j < kLimbs) product.limbs_[i + j] = carry;  // still 0: rows before end below
     }
     return product;
   }
