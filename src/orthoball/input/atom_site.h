@@ -61,13 +61,19 @@ class AtomSiteReader {
   AtomSiteReader(const Source& source, const ReadOptions& options)
       : source_(source), models_(options.molecule.model, "model") {}
 
+  /// A data block begins, which ends the one before it.
   void begin_block(std::string_view name);
+  /// A loop begins: its tags follow, then its values.
   void begin_loop();
+  /// The next column of the loop.
   void loop_tag(std::string_view tag);
+  /// The next value of the loop, row by row.
   /// @throws ParseError for a missing coordinate, or one that is no number.
   void loop_value(const CifValue& value);
+  /// The loop is over.
   /// @throws ParseError if the last row is not complete.
   void end_loop();
+  /// A tag with one value, outside loops.
   void item(std::string_view tag, const CifValue& value);
 
   /// The atoms, when all of the file has come by.

@@ -34,11 +34,11 @@ struct Atom {
 
 /// The atoms of the model that is taken, all alternates, waters and so on among them.
 struct Molecule {
-  std::vector<Atom> atoms;
-  bool has_radii = false;     ///< the file gives radii of its own
-  bool has_residues = false;  ///< atoms have names and belong to residues, perhaps of chains
-  std::vector<std::string> notes;
-  std::vector<std::string> warnings;
+  std::vector<Atom> atoms;         ///< in the order of the file
+  bool has_radii = false;          ///< the file gives radii of its own
+  bool has_residues = false;       ///< atoms have names and belong to residues, perhaps of chains
+  std::vector<std::string> notes;  ///< as in Reading
+  std::vector<std::string> warnings;  ///< as in Reading
 };
 
 /// Which of the models (or frames) of a file is taken: the one asked for, else the first.

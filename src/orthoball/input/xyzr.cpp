@@ -15,7 +15,8 @@ Reading read_xyzr(const Source& source, const ReadOptions& options) {
   ReadOptions table = options;
   table.dimension = 3;
   if (table.columns.empty()) table.columns = {"1", "2", "3"};
-  if (table.radius_column.empty() && table.weight_column.empty()) table.radius_column = std::string("4");
+  if (table.radius_column.empty() && table.weight_column.empty())
+    table.radius_column = std::string("4");
   return read_table(source, table);
 }
 
