@@ -48,4 +48,10 @@ inline void radix_sort(std::vector<KeyedRow>& rows) {
   return (bits & sign) != 0 ? ~bits : bits | sign;
 }
 
+/// The double that ordered_key made `key` of.
+[[nodiscard]] inline double number_of_key(std::uint64_t key) {
+  const std::uint64_t sign = std::uint64_t{1} << 63U;
+  return std::bit_cast<double>((key & sign) != 0 ? key & ~sign : ~key);
+}
+
 }  // namespace orthoball
