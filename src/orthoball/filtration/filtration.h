@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "orthoball/filtration/critical_alpha2.h"
 #include "orthoball/filtration/simplex_table.h"
 #include "orthoball/ids.h"
 #include "orthoball/triangulation/regular_triangulation.h"
@@ -25,13 +24,14 @@ enum class Role { exterior, singular, regular, interior };
 /// `enters` <= `regular` <= `interior`, the last two `never()` where it never takes that role.
 /// All comparisons are exact; only `alpha2(index)` is a number, correctly rounded.
 ///
-/// Owns its triangulation. Immutable; any number of threads may read it. At most 700 bytes a site
-/// in space; time linear in the simplices but for sorting.  @cite edelsbrunner_mucke_1994
+/// Owns its triangulation. Immutable; any number of threads may read it. About 900 bytes a site in
+/// space, its triangulation included; time linear in the simplices but for sorting.
+/// @cite edelsbrunner_mucke_1994
 template <int D>
 class Filtration {
  public:
   Filtration() = default;  // of no sites
-  /// @throws LimitError for 2^32 - 1 simplices or more.
+  /// @throws LimitError as SimplexTable does.
   explicit Filtration(RegularTriangulation<D> triangulation);
 
   [[nodiscard]] const RegularTriangulation<D>& triangulation() const { return triangulation_; }
@@ -43,27 +43,35 @@ class Filtration {
   [[nodiscard]] std::size_t count(int dimension) const { return table_.count(dimension); }
   [[nodiscard]] int dimension(SimplexId simplex) const { return table_.dimension(simplex); }
   /// The vertices by number, ascending.
-  [[nodiscard]] FewOf<VertexId, D> vertices(SimplexId simplex) const;
+  [[nodiscard]] FewOf<VertexId, D> vertices(SimplexId simplex) const {
+    return table_.vertices(triangulation_, simplex);
+  }
   /// The input rows of the vertices, ascending.
   [[nodiscard]] FewOf<SiteId, D> rows(SimplexId simplex) const;
   /// The faces one dimension down, facet i without vertices(simplex)[i]; none for a vertex.
-  [[nodiscard]] FewOf<SimplexId, D> facets(SimplexId simplex) const;
+  [[nodiscard]] FewOf<SimplexId, D> facets(SimplexId simplex) const {
+    return table_.facets(triangulation_, simplex);
+  }
   /// The one or two cells beside a simplex one dimension below affine_dimension().
-  [[nodiscard]] FewOf<SimplexId, D> cells_beside(SimplexId facet) const;
+  [[nodiscard]] FewOf<SimplexId, D> cells_beside(SimplexId facet) const {
+    return table_.cells_beside(triangulation_, facet);
+  }
   /// Whether some other site q has pi_q(centre) < squared orthoradius. Exact.
-  [[nodiscard]] bool is_attached(SimplexId simplex) const;
+  [[nodiscard]] bool is_attached(SimplexId simplex) const {
+    return critical_.is_attached[simplex.row()];
+  }
 
   // The spectrum.
 
   /// s, the number of exactly distinct values.
   [[nodiscard]] std::uint32_t spectrum_size() const {
-    return static_cast<std::uint32_t>(spectrum_.size());
+    return static_cast<std::uint32_t>(critical_.spectrum.size());
   }
   /// [index - 1]: the double nearest to each value, length^2 in input units; never decreasing, two
   /// entries may share one. Infinite where a value is beyond the double range.
-  [[nodiscard]] std::span<const double> spectrum() const { return spectrum_; }
+  [[nodiscard]] std::span<const double> spectrum() const { return critical_.spectrum; }
   /// Label of an index in 1..s. Correctly rounded; length^2 in input units.
-  [[nodiscard]] double alpha2(std::uint32_t index) const { return spectrum_[index - 1]; }
+  [[nodiscard]] double alpha2(std::uint32_t index) const { return critical_.spectrum[index - 1]; }
   /// The number of entries whose label is <= alpha2: a closed threshold. O(log s).
   [[nodiscard]] std::uint32_t index(double alpha2) const;
   /// s + 1, the index of what does not happen.
@@ -72,13 +80,21 @@ class Filtration {
   // The three indices of a simplex.
 
   /// Index at which it joins the complex.
-  [[nodiscard]] std::uint32_t enters(SimplexId simplex) const { return enters_[simplex.row()]; }
+  [[nodiscard]] std::uint32_t enters(SimplexId simplex) const {
+    return critical_.enters[simplex.row()];
+  }
   /// Index at which its first proper coface joins: enters() for a D-simplex, never() for a simplex
   /// without cofaces where the sites span less than R^D.
-  [[nodiscard]] std::uint32_t regular(SimplexId simplex) const;
+  [[nodiscard]] std::uint32_t regular(SimplexId simplex) const {
+    if (simplex.row() < critical_.regular.size()) return critical_.regular[simplex.row()];
+    return triangulation_.affine_dimension() == D ? enters(simplex) : never();
+  }
   /// Index from which it is inside the shape: enters() for a D-simplex, never() on the convex hull
   /// and where the sites span less than R^D.
-  [[nodiscard]] std::uint32_t interior(SimplexId simplex) const;
+  [[nodiscard]] std::uint32_t interior(SimplexId simplex) const {
+    if (simplex.row() < critical_.interior.size()) return critical_.interior[simplex.row()];
+    return triangulation_.affine_dimension() == D ? enters(simplex) : never();
+  }
   /// Exact. Everything is exterior at index 0.
   [[nodiscard]] Role role(SimplexId simplex, std::uint32_t index) const {
     if (index < enters(simplex)) return Role::exterior;
@@ -99,11 +115,8 @@ class Filtration {
  private:
   RegularTriangulation<D> triangulation_;
   SimplexTable<D> table_;
-  std::vector<double> spectrum_;         // [index - 1]
-  std::vector<std::uint32_t> enters_;    // [simplex]
-  std::vector<std::uint32_t> regular_;   // [simplex below dimension D]
-  std::vector<std::uint32_t> interior_;  // [simplex below dimension D]
-  std::vector<SimplexId> filter_;        // [position]
+  CriticalAlpha2 critical_;
+  std::vector<SimplexId> filter_;  // [position]
 };
 
 extern template class Filtration<2>;  // defined in filtration.cpp

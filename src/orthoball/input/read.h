@@ -12,12 +12,12 @@ namespace orthoball {
 
 /// Which atoms of a molecule are taken.
 struct MoleculeOptions {
-  std::optional<int> model = {};  ///< model number of the file; empty: the first one
-  std::string altloc = {};        ///< one alternate's letter; empty: highest occupancy, then first
-  bool hydrogens = true;          ///< keep hydrogen and deuterium
-  bool ligands = true;            ///< keep hetero atoms that are not water
-  bool waters = false;            ///< keep HOH, WAT, DOD, TIP3, SOL, ...
-  std::vector<std::string> chains = {};  ///< keep these only; empty: all
+  std::optional<int> model;  ///< model number of the file; empty: the first one
+  std::string altloc;        ///< one alternate's letter; empty: highest occupancy, then first
+  bool hydrogens = true;     ///< keep hydrogen and deuterium
+  bool ligands = true;       ///< keep hetero atoms that are not water
+  bool waters = false;       ///< keep HOH, WAT, DOD, TIP3, SOL, ...
+  std::vector<std::string> chains;  ///< keep these only; empty: all
 };
 
 /// How a file is to be read; each default is what its name and content suggest.

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "orthoball/filtration/filtration.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace orthoball {
+namespace {
+
+// Simplices by (enters, number), and numbers ascend with dimensions: a counting sort.
+std::vector<SimplexId> sorted_by(std::span<const std::uint32_t> enters, std::uint32_t indices) {
+  std::vector<std::uint32_t> next(std::size_t{indices} + 1, 0);
+  for (const std::uint32_t index : enters) ++next[index];
+  std::uint32_t first = 0;
+  for (std::uint32_t& count : next) first += std::exchange(count, first);
+  std::vector<SimplexId> sorted(enters.size());
+  for (std::uint32_t simplex = 0; simplex < enters.size(); ++simplex) {
+    sorted[next[enters[simplex]]++] = SimplexId(simplex);
+  }
+  return sorted;
+}
+
+}  // namespace
+
+template <int D>
+Filtration<D>::Filtration(RegularTriangulation<D> triangulation)
+    : triangulation_(std::move(triangulation)) {
+  {
+    typename SimplexTable<D>::EdgesOfCells edges_of_cells;
+    table_ = SimplexTable<D>(triangulation_, edges_of_cells);
+    critical_ = critical_alpha2(triangulation_, table_, edges_of_cells);
+  }
+  filter_ = sorted_by(critical_.enters, spectrum_size());
+}
+
+template <int D>
+FewOf<SiteId, D> Filtration<D>::rows(SimplexId simplex) const {
+  FewOf<SiteId, D> result;
+  for (const VertexId vertex : vertices(simplex)) {
+    result.insert(triangulation_.sites().row(vertex.row()));
+  }
+  return result;
+}
+
+template <int D>
+std::uint32_t Filtration<D>::index(double alpha2) const {
+  const auto beyond = std::upper_bound(spectrum().begin(), spectrum().end(), alpha2);
+  return static_cast<std::uint32_t>(beyond - spectrum().begin());
+}
+
+template <int D>
+std::size_t Filtration<D>::complex_size(std::uint32_t index) const {
+  const auto beyond =
+      std::upper_bound(filter_.begin(), filter_.end(), index,
+                       [&](std::uint32_t i, SimplexId simplex) { return i < enters(simplex); });
+  return static_cast<std::size_t>(beyond - filter_.begin());
+}
+
+template <int D>
+std::vector<SimplexId> Filtration<D>::filter_by_rows() const {
+  struct Keyed {
+    FewOf<SiteId, D> rows;
+    SimplexId simplex;
+  };
+  std::vector<SimplexId> sorted(filter_.begin(), filter_.end());
+  std::vector<Keyed> tied;
+  for (std::size_t begin = 0; begin < sorted.size();) {
+    const auto is_tied = [&](SimplexId simplex) {
+      return enters(simplex) == enters(sorted[begin]) &&
+             dimension(simplex) == dimension(sorted[begin]);
+    };
+    std::size_t end = begin + 1;
+    while (end < sorted.size() && is_tied(sorted[end])) ++end;
+    if (end - begin > 1) {
+      tied.clear();
+      for (std::size_t i = begin; i < end; ++i) tied.push_back({rows(sorted[i]), sorted[i]});
+      std::sort(tied.begin(), tied.end(), [](const Keyed& a, const Keyed& b) {
+        return std::lexicographical_compare(a.rows.begin(), a.rows.end(), b.rows.begin(),
+                                            b.rows.end());
+      });
+      for (std::size_t i = begin; i < end; ++i) sorted[i] = tied[i - begin].simplex;
+    }
+    begin = end;
+  }
+  return sorted;
+}
+
+template class Filtration<2>;
+template class Filtration<3>;
+
+}  // namespace orthoball
