@@ -89,12 +89,7 @@ void BinaryRows::add(std::span<const double> row, std::size_t offset) {
 Reading BinaryRows::reading() && {
   Reading reading{.points = {columns_.dimension, std::move(coordinates_), columns_.weight_kind,
                              std::move(weights_)},
-                  .labels = {},
-                  .file = {},
-                  .format = {},
-                  .radii = columns_.radii,
-                  .notes = {},
-                  .warnings = {}};
+                  .radii = columns_.radii};
   if (!columns_.note.empty()) reading.notes.push_back(columns_.note);
   return reading;
 }

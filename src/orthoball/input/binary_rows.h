@@ -25,6 +25,7 @@ enum class NumberType {
   float64,
 };
 
+/// 1, 2, 4 or 8.
 [[nodiscard]] std::size_t size_in_bytes(NumberType type);
 
 /// The number whose size_in_bytes(type) bytes begin at `bytes`, as a double. NaN for an integer

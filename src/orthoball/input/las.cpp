@@ -150,13 +150,7 @@ Reading read_las(const Source& source, const ReadOptions& options) {
     rows.add(row, columns.weight_kind == WeightKind::none ? DecimalNumber{}
                                                           : coordinate(point, columns.weight));
   }
-  Reading reading{.points = std::move(rows).points(),
-                  .labels = {},
-                  .file = {},
-                  .format = {},
-                  .radii = columns.radii,
-                  .notes = {},
-                  .warnings = {}};
+  Reading reading{.points = std::move(rows).points(), .radii = columns.radii};
   if (!columns.note.empty()) reading.notes.push_back(columns.note);
   return reading;
 }

@@ -12,25 +12,25 @@ namespace orthoball {
 
 /// Which atoms of a molecule are taken.
 struct MoleculeOptions {
-  std::optional<int> model;  ///< model number of the file; empty: the first one
-  std::string altloc;        ///< one alternate's letter; empty: highest occupancy, then first
-  bool hydrogens = true;     ///< keep hydrogen and deuterium
-  bool ligands = true;       ///< keep hetero atoms that are not water
-  bool waters = false;       ///< keep HOH, WAT, DOD, TIP3, SOL, ...
-  std::vector<std::string> chains;  ///< keep these only; empty: all
+  std::optional<int> model{};  ///< model number of the file; empty: the first one
+  std::string altloc{};        ///< one alternate's letter; empty: highest occupancy, then first
+  bool hydrogens = true;       ///< keep hydrogen and deuterium
+  bool ligands = true;         ///< keep hetero atoms that are not water
+  bool waters = false;         ///< keep HOH, WAT, DOD, TIP3, SOL, ...
+  std::vector<std::string> chains{};  ///< keep these only; empty: all
 };
 
 /// How a file is to be read; each default is what its name and content suggest.
 struct ReadOptions {
-  std::string format;                ///< a name of input_formats(); empty: from the file name
-  std::optional<int> dimension;      ///< 2 or 3; empty: as the file suggests
-  std::vector<std::string> columns;  ///< coordinate columns: 1-based numbers or names
-  std::string radius_column;         ///< 1-based number or name; empty: none
-  std::string weight_column;         ///< as above; excludes radius_column
-  std::string radii;                 ///< bondi, alvarez, protor, none, or a file's path; empty:
-                                     ///< the radii in a molecule's file, else bondi
-  std::optional<std::string> default_radius;  ///< a decimal, for elements without a radius
-  MoleculeOptions molecule;
+  std::string format{};                ///< a name of input_formats(); empty: from the file name
+  std::optional<int> dimension{};      ///< 2 or 3; empty: as the file suggests
+  std::vector<std::string> columns{};  ///< coordinate columns: 1-based numbers or names
+  std::string radius_column{};         ///< 1-based number or name; empty: none
+  std::string weight_column{};         ///< as above; excludes radius_column
+  std::string radii{};                 ///< bondi, alvarez, protor, none, or a file's path; empty:
+                                       ///< the radii in a molecule's file, else bondi
+  std::optional<std::string> default_radius{};  ///< a decimal, for elements without a radius
+  MoleculeOptions molecule{};
   bool allow_empty = false;  ///< a file without any site is no error
   bool limited = true;       ///< refuse inputs over 1 GiB or compressed by more than 200
 };
@@ -38,14 +38,14 @@ struct ReadOptions {
 /// What a file gave.
 struct Reading {
   WeightedPoints points;
-  SiteLabels labels;
-  std::string file;          ///< the path as given
-  std::string format;        ///< the format it was read as, one of input_formats()
-  std::string radii;         ///< where weights come from, in words: "bondi (Bondi 1964; ...)",
+  SiteLabels labels{};
+  std::string file{};        ///< the path as given
+  std::string format{};      ///< the format it was read as, one of input_formats()
+  std::string radii{};       ///< where weights come from, in words: "bondi (Bondi 1964; ...)",
                              ///< "column 4", "the file's own", "none"
   bool is_molecule = false;  ///< weights are squared radii of a molecule's atoms
-  std::vector<std::string> notes;     ///< choices made: models, alternates, waters, first block
-  std::vector<std::string> warnings;  ///< things the user should look at
+  std::vector<std::string> notes{};     ///< choices made: models, alternates, waters, first block
+  std::vector<std::string> warnings{};  ///< things the user should look at
 };
 
 /// Reads weighted points from a file, the format told by its name (a trailing .gz put aside) unless

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <system_error>
@@ -89,10 +91,18 @@ std::string all_bytes(const std::string& path, std::size_t limit) {
   const std::unique_ptr<std::FILE, decltype(close)> file(
       path == "-" ? stdin : std::fopen(path.c_str(), "rb"), close);
   if (!file) fail("cannot be opened");
+  // What the file system says is a hint only: pipes say 0, and files grow.
+  std::error_code no_size;
+  const std::uintmax_t expected = std::filesystem::file_size(path, no_size);
   std::string bytes;
   std::size_t size = 0;
+  std::size_t room =
+      no_size ? kChunk : static_cast<std::size_t>(std::min<std::uintmax_t>(expected, limit)) + 1;
   for (;;) {
-    bytes.resize(std::min(std::max(kChunk, 2 * size), limit + 1));
+    if (size == bytes.size()) {
+      bytes.resize(std::min(std::max(room, 2 * size), limit + 1));
+      room = kChunk;
+    }
     const std::size_t read = std::fread(bytes.data() + size, 1, bytes.size() - size, file.get());
     if (std::ferror(file.get()) != 0) fail("cannot be read");
     size += read;

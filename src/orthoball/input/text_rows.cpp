@@ -49,6 +49,12 @@ void TextRows::choose(std::size_t line, std::span<const std::string_view> fields
                             {names_, count_, static_cast<std::size_t>(numbers), line});
   rows_ = DecimalRows(columns_.dimension, columns_.weight_kind);
   numbers_.resize(columns_.coordinates.size());
+
+  std::size_t length = fields.size();
+  for (const std::string_view field : fields) length += field.size();
+  const std::size_t rows = source_.bytes.size() / length;  // if all are as long as this one
+  rows_.reserve(rows);
+  lines_.reserve(rows);
 }
 
 DecimalNumber TextRows::number(std::size_t line, std::span<const std::string_view> fields,
@@ -100,13 +106,7 @@ Reading TextRows::reading() && {
     rows_ = DecimalRows(options_.dimension.value_or(3), WeightKind::none);
     columns_.radii = "none";
   }
-  Reading reading{.points = std::move(rows_).points(),
-                  .labels = {},
-                  .file = {},
-                  .format = {},
-                  .radii = columns_.radii,
-                  .notes = {},
-                  .warnings = {}};
+  Reading reading{.points = std::move(rows_).points(), .radii = columns_.radii};
   reading.labels.line = std::move(lines_);
   if (!columns_.note.empty()) reading.notes.push_back(columns_.note);
   return reading;
