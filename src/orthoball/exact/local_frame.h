@@ -123,4 +123,17 @@ auto with_width(int bits, const Evaluate& evaluate) {
   return evaluate.template operator()<WideInteger<640>>();
 }
 
+/// Calls `evaluate.template operator()<N>()` with the smallest offered number of limbs that holds
+/// integers of `bits` bits and a sign, with two bits to spare for sums. The largest holds the
+/// differences of any finite doubles.
+template <class Evaluate>
+auto with_limbs(int bits, const Evaluate& evaluate) {
+  constexpr int kSpare = 3;
+  if (bits <= 64 - kSpare) return evaluate.template operator()<1>();
+  if (bits <= 128 - kSpare) return evaluate.template operator()<2>();
+  if (bits <= 256 - kSpare) return evaluate.template operator()<4>();
+  if (bits <= 512 - kSpare) return evaluate.template operator()<8>();
+  return evaluate.template operator()<36>();
+}
+
 }  // namespace orthoball

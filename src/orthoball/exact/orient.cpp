@@ -8,23 +8,28 @@
 namespace orthoball {
 namespace {
 
-// det of the rows 1..A, each a site less site 0; at most A! 2^(A bits).
-template <class Int, int A, int D>
-Int orientation(const std::array<ExactSite<D>, std::size_t{A + 1}>& sites,
-                const LocalFrame& frame) {
+// det of the rows 1..A, each a site less site 0. Coordinates have N limbs, with two bits to spare;
+// every product has the limbs of its factors, so sums of at most six terms fit.
+template <int N, int A, int D>
+Sign orientation(const std::array<ExactSite<D>, std::size_t{A + 1}>& sites,
+                 const LocalFrame& frame) {
+  using Int = WideInteger<N>;
   const auto row = [&](std::size_t i) { return integer_site<Int, D>(sites[i], sites[0], frame); };
   const auto b = row(1);
   if constexpr (A == 1) {
-    return b.x[0];
+    return b.x[0].sign();
   } else {
+    const auto minor = [](const auto& p, const auto& q) {
+      return product(p.x[0], q.x[1]) - product(p.x[1], q.x[0]);
+    };
     const auto c = row(2);
-    const Int bc = b.x[0] * c.x[1] - b.x[1] * c.x[0];
     if constexpr (A == 2) {
-      return bc;
+      return minor(b, c).sign();
     } else {
       const auto d = row(3);
-      return b.x[2] * (c.x[0] * d.x[1] - c.x[1] * d.x[0]) -
-             c.x[2] * (b.x[0] * d.x[1] - b.x[1] * d.x[0]) + d.x[2] * bc;
+      return (product(b.x[2], minor(c, d)) - product(c.x[2], minor(b, d)) +
+              product(d.x[2], minor(b, c)))
+          .sign();
     }
   }
 }
@@ -40,8 +45,7 @@ Sign exact_orient(const Sites<D>& sites, const Corners<A>& corners,
     for (std::size_t axis = 0; axis < A; ++axis) exact[i].x[axis] = site.x[axes[axis]];
   }
   const LocalFrame frame = local_frame<D>(exact);
-  const int bits = A * (frame.bits + 1) + 4;  // A! < 2^4
-  return with_width(bits, [&]<class Int>() { return orientation<Int, A, D>(exact, frame).sign(); });
+  return with_limbs(frame.bits, [&]<int N>() { return orientation<N, A, D>(exact, frame); });
 }
 
 template Sign exact_orient<1, 2>(const Sites<2>&, const Corners<1>&, const std::array<int, 1>&);

@@ -8,54 +8,61 @@
 namespace orthoball {
 namespace {
 
-// One corner less the query: coordinates and lift.
-template <class Int, int D>
+// One corner less the query: coordinates of N limbs, with two bits to spare, and the lift, whose
+// sum of at most five terms fits twice as many.
+template <int N, int D>
 struct LiftedSite {
-  Int x[std::size_t{D}];
-  Int lift;
+  WideInteger<N> x[std::size_t{D}];
+  WideInteger<2 * N> lift;
 };
 
-template <class Int, int D>
-LiftedSite<Int, D> lifted(const ExactSite<D>& site, const ExactSite<D>& query,
-                          const LocalFrame& frame) {
-  const auto p = integer_site<Int, D>(site, query, frame);
-  const auto q = integer_site<Int, D>(query, query, frame);
-  LiftedSite<Int, D> result;
+template <int N, int D>
+LiftedSite<N, D> lifted(const ExactSite<D>& site, const ExactSite<D>& query,
+                        const LocalFrame& frame) {
+  // Weights need twice the limbs.
+  const auto p = integer_site<WideInteger<2 * N>, D>(site, query, frame);
+  const auto q = integer_site<WideInteger<2 * N>, D>(query, query, frame);
+  LiftedSite<N, D> result;
   result.lift = q.weight - p.weight;
-  for (int axis = 0; axis < D; ++axis) {
-    result.x[axis] = p.x[axis];
-    result.lift += p.x[axis] * p.x[axis];
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    result.x[axis] = p.x[axis].template resized<N>();
+    result.lift += product(result.x[axis], result.x[axis]);
   }
   return result;
 }
 
-template <class Int, int D>
-Int minor2(const LiftedSite<Int, D>& a, const LiftedSite<Int, D>& b) {
-  return a.x[0] * b.x[1] - a.x[1] * b.x[0];
+template <class Site>
+auto minor2(const Site& a, const Site& b) {
+  return product(a.x[0], b.x[1]) - product(a.x[1], b.x[0]);
 }
 
-template <class Int, int D>
-Int minor3(const LiftedSite<Int, D>& a, const LiftedSite<Int, D>& b, const LiftedSite<Int, D>& c) {
-  return a.x[2] * minor2(b, c) - b.x[2] * minor2(a, c) + c.x[2] * minor2(a, b);
+template <class Site>
+auto minor3(const Site& a, const Site& b, const Site& c) {
+  return product(a.x[2], minor2(b, c)) - product(b.x[2], minor2(a, c)) +
+         product(c.x[2], minor2(a, b));
 }
 
-// At most (A + 1)! 2^(A bits) times a lift of at most (D + 1) 2^(2 bits).
-template <class Int, int A, int D>
-Int lifted_determinant(const std::array<ExactSite<D>, std::size_t{A + 2}>& sites,
-                       const LocalFrame& frame) {
-  const auto row = [&](std::size_t i) { return lifted<Int, D>(sites[i], sites[A + 1], frame); };
-  const auto a = row(0);
-  const auto b = row(1);
+// det of the rows (lift, x). Every product has the limbs of its factors: with two bits to spare in
+// each factor, sums of at most 24 terms fit.
+template <int N, int A, int D>
+Sign lifted_determinant(const std::array<ExactSite<D>, std::size_t{A + 2}>& sites,
+                        const LocalFrame& frame) {
+  const auto row = [&](std::size_t i) { return lifted<N, D>(sites[i], sites[0], frame); };
+  const auto a = row(1);
+  const auto b = row(2);
   if constexpr (A == 1) {
-    return a.lift * b.x[0] - b.lift * a.x[0];
+    return (product(a.lift, b.x[0]) - product(b.lift, a.x[0])).sign();
   } else {
-    const auto c = row(2);
+    const auto c = row(3);
     if constexpr (A == 2) {
-      return a.lift * minor2(b, c) - b.lift * minor2(a, c) + c.lift * minor2(a, b);
+      return (product(a.lift, minor2(b, c)) - product(b.lift, minor2(a, c)) +
+              product(c.lift, minor2(a, b)))
+          .sign();
     } else {
-      const auto d = row(3);
-      return a.lift * minor3(b, c, d) - b.lift * minor3(a, c, d) + c.lift * minor3(a, b, d) -
-             d.lift * minor3(a, b, c);
+      const auto d = row(4);
+      return (product(a.lift, minor3(b, c, d)) - product(b.lift, minor3(a, c, d)) +
+              product(c.lift, minor3(a, b, d)) - product(d.lift, minor3(a, b, c)))
+          .sign();
     }
   }
 }
@@ -65,13 +72,10 @@ Int lifted_determinant(const std::array<ExactSite<D>, std::size_t{A + 2}>& sites
 template <int A, int D>
 Sign exact_power_side(const Sites<D>& sites, const Corners<A>& corners, std::uint32_t query) {
   std::array<ExactSite<D>, std::size_t{A + 2}> exact;
-  for (std::size_t i = 0; i <= A; ++i) exact[i] = sites.exact(corners[i]);
-  exact[A + 1] = sites.exact(query);
-  // The frame's differences are to its first site, the determinant's to the last: one bit more.
-  LocalFrame frame = local_frame<D>(exact);
-  const int bits = (A + 2) * (frame.bits + 1) + 8;  // (A + 1)! (D + 1) < 2^8
-  return with_width(
-      bits, [&]<class Int>() { return lifted_determinant<Int, A, D>(exact, frame).sign(); });
+  exact[0] = sites.exact(query);
+  for (std::size_t i = 0; i <= A; ++i) exact[i + 1] = sites.exact(corners[i]);
+  const LocalFrame frame = local_frame<D>(exact);
+  return with_limbs(frame.bits, [&]<int N>() { return lifted_determinant<N, A, D>(exact, frame); });
 }
 
 template Sign exact_power_side<1, 2>(const Sites<2>&, const Corners<1>&, std::uint32_t);

@@ -46,6 +46,16 @@ class WideInteger {
     return 0;
   }
 
+  /// The same number with more limbs, or with fewer where it fits those.
+  template <int M>
+  [[nodiscard]] constexpr WideInteger<M> resized() const {
+    WideInteger<M> result(sign() == Sign::negative ? -1 : 0);
+    for (std::size_t i = 0; i < kLimbs && i < std::size_t{M}; ++i) result.limbs_[i] = limbs_[i];
+    return result;
+  }
+
+  /// The lowest limb.
+  [[nodiscard]] constexpr std::uint64_t lowest_limb() const { return limbs_[0]; }
   /// The limbs, lowest first.
   [[nodiscard]] constexpr const std::array<std::uint64_t, static_cast<std::size_t>(N)>& limbs()
       const {
@@ -96,6 +106,11 @@ class WideInteger {
     }
     return product;
   }
+  /// a * b, which always fits N + M limbs.
+  template <int M>
+  friend constexpr WideInteger<N + M> product(const WideInteger& a, const WideInteger<M>& b) {
+    return a.times(b);
+  }
   friend constexpr WideInteger operator<<(const WideInteger& a, int bits) {
     const auto whole = static_cast<std::size_t>(bits / 64);
     const auto part = static_cast<unsigned>(bits % 64);
@@ -123,8 +138,42 @@ class WideInteger {
   }
 
  private:
+  template <int M>
+  friend class WideInteger;
+
   static constexpr auto kLimbs = static_cast<std::size_t>(N);
   __extension__ using Word = unsigned __int128;
+
+  // The product of the words as unsigned numbers, less 2^(64 N) b where a < 0, and the reverse.
+  template <int M>
+  [[nodiscard]] constexpr WideInteger<N + M> times(const WideInteger<M>& b) const {
+    constexpr auto kOther = static_cast<std::size_t>(M);
+    WideInteger<N + M> product;
+    for (std::size_t i = 0; i < kLimbs; ++i) {
+      if (limbs_[i] == 0) continue;
+      std::uint64_t carry = 0;
+      for (std::size_t j = 0; j < kOther; ++j) {
+        const Word total = Word{limbs_[i]} * b.limbs_[j] + product.limbs_[i + j] + carry;
+        product.limbs_[i + j] = static_cast<std::uint64_t>(total);
+        carry = static_cast<std::uint64_t>(total >> 64U);
+      }
+      product.limbs_[i + kOther] = carry;
+    }
+    if (sign() == Sign::negative) product.subtract_above(kLimbs, b);
+    if (b.sign() == Sign::negative) product.subtract_above(kOther, *this);
+    return product;
+  }
+
+  // Subtracts b 2^(64 from), modulo 2^(64 N).
+  template <int M>
+  constexpr void subtract_above(std::size_t from, const WideInteger<M>& b) {
+    unsigned borrow = 0;
+    for (std::size_t i = from; i < kLimbs; ++i) {
+      const Word total = Word{limbs_[i]} - b.limbs_[i - from] - borrow;
+      limbs_[i] = static_cast<std::uint64_t>(total);
+      borrow = static_cast<unsigned>(total >> 64U) & 1U;
+    }
+  }
 
   std::array<std::uint64_t, kLimbs> limbs_{};
 };

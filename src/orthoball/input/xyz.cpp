@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "orthoball/error.h"
+#include "orthoball/input/elements.h"
+#include "orthoball/input/fields.h"
+#include "orthoball/input/formats.h"
+#include "orthoball/input/molecule.h"
+
+// XYZ: frames of a line with the number of atoms, a comment, and a line `element x y z` for each
+// atom. In the extended form the comment holds key=value pairs, and Properties names the columns.
+// Frames that are not taken are checked for their number of lines, so that a wrong count is found
+// wherever it is.
+
+namespace orthoball {
+namespace {
+
+constexpr std::size_t kMostColumns = 1000;  // of one property
+constexpr std::size_t kNoColumn = static_cast<std::size_t>(-1);
+
+// Which words of an atom's line mean what.
+struct AtomColumns {
+  std::size_t element = 0;
+  std::size_t x = 1;  // y and z follow
+  std::size_t least = 4;
+  bool is_exact = false;     // no more columns than `least`
+  bool has_numbers = false;  // atomic numbers instead of symbols
+};
+
+bool is_whole_number(std::string_view text) {
+  if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.remove_prefix(1);
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+char closing(char opening) {
+  switch (opening) {
+    case '"':
+    case '\'':
+      return opening;
+    case '{':
+      return '}';
+    case '[':
+      return ']';
+    default:
+      return '\0';
+  }
+}
+
+// Where the value that begins at `begin` of an extended comment ends: behind its closing quote or
+// bracket if it has one.
+std::size_t end_of_value(const Source& source, std::size_t line, std::string_view comment,
+                         std::size_t begin) {
+  const char close = begin < comment.size() ? closing(comment[begin]) : '\0';
+  for (std::size_t i = begin + (close == '\0' ? 0 : 1); i < comment.size(); ++i) {
+    if (comment[i] == '\\') {
+      ++i;
+    } else if (close == '\0' ? is_blank(comment[i]) : comment[i] == close) {
+      return close == '\0' ? i : i + 1;
+    }
+  }
+  if (close == '\0') return comment.size();
+  throw ParseError(source.name, line,
+                   "the value " + quoted(comment.substr(begin)) + " is not closed; " + close +
+                       " is needed at its end");
+}
+
+// The value of `key` in an extended comment, without its quotes.
+std::optional<std::string_view> value_of(const Source& source, std::size_t line,
+                                         std::string_view comment, std::string_view key) {
+  std::size_t at = 0;
+  while (at < comment.size()) {
+    if (is_blank(comment[at])) {
+      ++at;
+      continue;
+    }
+    const std::size_t end_of_key = std::min(comment.find_first_of("= \t", at), comment.size());
+    const std::string_view found = comment.substr(at, end_of_key - at);
+    at = end_of_key;
+    if (at == comment.size() || comment[at] != '=') continue;
+    const std::size_t end = end_of_value(source, line, comment, at + 1);
+    std::string_view value = comment.substr(at + 1, end - at - 1);
+    if (!value.empty() && closing(value.front()) != '\0') value = value.substr(1, value.size() - 2);
+    if (found == key) return value;
+    at = end;
+  }
+  return std::nullopt;
+}
+
+// Reads the columns from "species:S:1:pos:R:3:...".
+AtomColumns columns_of(const Source& source, std::size_t line, std::string_view properties) {
+  const auto fail = [&](const std::string& message) {
+    throw ParseError(source.name, line, message + "; Properties=species:S:1:pos:R:3 is the usual");
+  };
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= properties.size();) {
+    const std::size_t end = std::min(properties.find(':', begin), properties.size());
+    parts.push_back(properties.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  if (parts.size() % 3 != 0) fail("Properties is " + quoted(properties) + ", not name:type:count");
+  AtomColumns columns{.element = kNoColumn, .x = kNoColumn, .least = 0, .is_exact = true};
+  for (std::size_t i = 0; i < parts.size(); i += 3) {
+    const std::size_t count = count_at(source, line, parts[i + 2], "a count in Properties");
+    if (count == 0 || count > kMostColumns) fail("Properties has a count out of range");
+    if (parts[i] == "pos") {
+      if (count != 3) fail("pos has " + std::to_string(count) + " columns, 3 are needed");
+      columns.x = columns.least;
+    } else if (parts[i] == "species" || (parts[i] == "Z" && columns.element == kNoColumn)) {
+      columns.element = columns.least;
+      columns.has_numbers = parts[i] == "Z";
+    }
+    columns.least += count;
+  }
+  if (columns.x == kNoColumn) fail("Properties names no pos");
+  return columns;
+}
+
+AtomColumns columns_of_comment(const Source& source, std::size_t line, std::string_view comment,
+                               std::vector<std::string>& warnings) {
+  if (comment.find("Properties=") == std::string_view::npos &&
+      comment.find("Lattice=") == std::string_view::npos) {
+    return {};
+  }
+  if (const auto lattice = value_of(source, line, comment, "Lattice")) {
+    std::vector<std::string_view> numbers;
+    split_at_blanks(*lattice, numbers);
+    if (numbers.size() != 9) {
+      warnings.push_back("line " + std::to_string(line) + ": Lattice has " +
+                         std::to_string(numbers.size()) +
+                         " numbers instead of 9; the cell is not used");
+    }
+  }
+  const auto properties = value_of(source, line, comment, "Properties");
+  return properties ? columns_of(source, line, *properties) : AtomColumns{};
+}
+
+std::string_view element_of(std::string_view word, bool has_numbers) {
+  if (has_numbers || is_whole_number(word)) {
+    int number = 0;
+    std::from_chars(word.data(), word.data() + word.size(), number);
+    const std::string_view symbol = element_symbol(number);
+    return symbol.empty() ? word : symbol;
+  }
+  const std::string_view symbol = element_symbol(word);
+  if (!symbol.empty()) return symbol;
+  // "C12", "Fe3+": the symbol is all of the letters, or the word names no element.
+  const auto end = std::find_if(word.begin(), word.end(), [](char c) {
+    return !((c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'));
+  });
+  const std::string_view letters =
+      element_symbol(word.substr(0, static_cast<std::size_t>(end - word.begin())));
+  return letters.empty() ? word : letters;
+}
+
+Atom atom_of(const Source& source, std::size_t line, const std::vector<std::string_view>& words,
+             const AtomColumns& columns) {
+  if (words.size() < columns.least || (columns.is_exact && words.size() != columns.least)) {
+    throw ParseError(source.name, line,
+                     "the line has " + std::to_string(words.size()) + " columns; " +
+                         (columns.is_exact ? std::to_string(columns.least) + " as Properties says"
+                                           : "element x y z") +
+                         " are needed");
+  }
+  Atom atom;
+  atom.position = {number_at(source, line, words[columns.x], "x"),
+                   number_at(source, line, words[columns.x + 1], "y"),
+                   number_at(source, line, words[columns.x + 2], "z")};
+  if (columns.element != kNoColumn) {
+    atom.element = element_of(words[columns.element], columns.has_numbers);
+  }
+  atom.line = line;
+  return atom;
+}
+
+// Reads one frame behind its count; keeps its atoms if it is taken.
+void read_frame(const Source& source, Lines& lines, std::size_t count, bool is_taken,
+                Molecule& molecule) {
+  const std::size_t head = lines.number();
+  std::string_view line;
+  if (!lines.next(line)) line = {};
+  AtomColumns columns;
+  if (is_taken) columns = columns_of_comment(source, lines.number(), line, molecule.warnings);
+  std::vector<std::string_view> words;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!lines.next(line) || trimmed(line).empty()) {
+      throw ParseError(source.name, head,
+                       "the count is " + std::to_string(count) + ", but " + std::to_string(i) +
+                           " atoms follow; the number of atoms is needed");
+    }
+    if (!is_taken) continue;
+    split_at_blanks(line, words);
+    molecule.atoms.push_back(atom_of(source, lines.number(), words, columns));
+  }
+}
+
+}  // namespace
+
+Reading read_xyz(const Source& source, const ReadOptions& options) {
+  require_molecule_options(options, "xyz");
+  require_text(source);
+  Molecule molecule;
+  ModelChoice frames(options.molecule.model, "frame");
+  Lines lines(source.bytes);
+  std::string_view line;
+  while (lines.next(line)) {
+    const std::string_view text = trimmed(line);
+    if (text.empty()) continue;
+    const std::size_t count =
+        count_at(source, lines.number(), text, "the number of atoms of a frame");
+    const bool is_taken = frames.takes(frames.next_number());
+    read_frame(source, lines, count, is_taken, molecule);
+  }
+  frames.finish(source, molecule.notes);
+  return reading_of(source, std::move(molecule), options);
+}
+
+}  // namespace orthoball

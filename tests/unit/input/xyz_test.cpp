@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "orthoball/error.h"
+#include "orthoball/input/formats.h"
+
+namespace orthoball {
+namespace {
+
+using Strings = std::vector<std::string>;
+
+Reading xyz(const std::string& text, const ReadOptions& options = {}) {
+  return read_xyz({"a.xyz", text}, options);
+}
+
+std::size_t faulty_line(const std::string& text) {
+  try {
+    (void)xyz(text);
+  } catch (const ParseError& error) {
+    return error.line();
+  }
+  return 0;
+}
+
+TEST(Xyz, IsElementsAndPositions) {
+  const Reading reading =
+      xyz("3\nwater\nO 0.0 0.0 0.0\nH\t0.757 0.586 0.0 \n 1 -0.757 0.586 0\n\n");
+  EXPECT_EQ(reading.points.size(), 3U);
+  EXPECT_EQ(reading.points.decimals(), 3);
+  EXPECT_EQ(reading.points.coordinates()[3], 757);
+  EXPECT_EQ(reading.labels.element, (Strings{"O", "H", "H"}));
+  EXPECT_EQ(reading.labels.line, (std::vector<std::uint32_t>{3, 4, 5}));
+  EXPECT_TRUE(reading.labels.chain.empty());
+}
+
+TEST(Xyz, FindsElementsInLabels) {
+  const Reading reading = xyz("4\n\nC12 0 0 0 9 9\nFe3+ 1 0 0\nca 2 0 0\n8 3 0 0\n");
+  EXPECT_EQ(reading.labels.element, (Strings{"C", "Fe", "Ca", "O"}));
+  EXPECT_EQ(faulty_line("1\n\nLP 0 0 0\n"), 3U);
+  EXPECT_EQ(faulty_line("1\n\n119 0 0 0\n"), 3U);
+}
+
+TEST(Xyz, RefusesCountsThatLie) {
+  EXPECT_EQ(faulty_line("5\n\nO 0 0 0\nH 1 0 0\n"), 1U);
+  EXPECT_EQ(faulty_line("1\n\nO 0 0 0\nH 1 0 0\n"), 4U);
+  EXPECT_EQ(faulty_line("-3\n\nO 0 0 0\n"), 1U);
+  EXPECT_EQ(faulty_line("9223372036854775807\n\nO 0 0 0\n"), 1U);
+  EXPECT_EQ(faulty_line("99999999999999999999999999\n\nO 0 0 0\n"), 1U);
+  EXPECT_EQ(faulty_line("1\n\nO 0 0 0\n\n2\n\nO 0 0 0\n"), 5U) << "in a later frame";
+}
+
+TEST(Xyz, RefusesWhatIsNoNumber) {
+  EXPECT_EQ(faulty_line("1\n\nC 1,5 2 3\n"), 3U);
+  EXPECT_EQ(faulty_line("1\n\nC 0x1.8p+1 2 3\n"), 3U);
+  EXPECT_EQ(faulty_line("1\n\nC 1 2\n"), 3U);
+  EXPECT_EQ(xyz("1\n\nC 1.0D+01 2.5d0 -3.0D-1\n").points.coordinate(0, 0), 10.0);
+}
+
+TEST(Xyz, TakesTheFirstFrameUnlessAnotherIsNamed) {
+  const std::string text = "1\n\nO 0 0 0\n2\n\nC 0 0 0\nC 1 0 0\n";
+  const Reading first = xyz(text);
+  EXPECT_EQ(first.labels.element, Strings{"O"});
+  EXPECT_EQ(first.notes, Strings{"frame 1 of 2 (--model N takes another)"});
+  ReadOptions options;
+  options.molecule.model = 2;
+  EXPECT_EQ(xyz(text, options).points.size(), 2U);
+  options.molecule.model = 3;
+  EXPECT_THROW((void)xyz(text, options), ParseError);
+}
+
+TEST(Xyz, FollowsPropertiesForItsColumns) {
+  const Reading reading = xyz(
+      "1\nLattice=\"10 0 0 0 10 0 0 0 10\" Properties=id:I:1:pos:R:3:species:S:1 pbc=\"T T F\"\n"
+      "7 1 2 3 Si\n");
+  EXPECT_EQ(reading.points.coordinate(0, 0), 1.0);
+  EXPECT_EQ(reading.labels.element, Strings{"Si"});
+  EXPECT_EQ(xyz("1\nProperties=Z:I:1:pos:R:3\n14 1 2 3\n").labels.element, Strings{"Si"});
+}
+
+TEST(Xyz, RefusesPropertiesThatDoNotFit) {
+  EXPECT_EQ(faulty_line("1\nProperties=species:S:1:pos:R:3\nC 0 0 0 1\n"), 3U);
+  EXPECT_EQ(faulty_line("1\nProperties=species:S:1:pos:R:2\nC 0 0\n"), 2U);
+  EXPECT_EQ(faulty_line("1\nProperties=species:S:1\nC\n"), 2U);
+  EXPECT_EQ(faulty_line("1\nProperties=species:S\nC\n"), 2U);
+  EXPECT_EQ(faulty_line("1\nProperties=pos:R:3:x:R:99999999999999\n0 0 0\n"), 2U);
+  EXPECT_EQ(faulty_line("1\nLattice=\"1 0 0 Properties=species:S:1:pos:R:3\nC 0 0 0\n"), 2U);
+  EXPECT_EQ(faulty_line("1\nit's \"quoted\n C 0 0 0\n"), 0U) << "a plain comment";
+}
+
+TEST(Xyz, WarnsOfALatticeThatIsNone) {
+  const Reading reading = xyz("1\nLattice=\"1 0 0\" Properties=species:S:1:pos:R:3\nC 0 0 0\n");
+  EXPECT_EQ(reading.warnings.size(), 1U);
+}
+
+}  // namespace
+}  // namespace orthoball
