@@ -43,7 +43,6 @@ constexpr auto kUnmistakable =
     std::to_array<std::string_view>({"Al", "Br", "Cl", "Fe", "Li", "Mg", "Mn", "Se", "Si", "Zn"});
 
 constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr std::size_t letter_number(char c) {
   return static_cast<std::size_t>(c >= 'a' ? c - 'a' : c - 'A') + 1;
 }
