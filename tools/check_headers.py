@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks the headers of src/orthoball: each compiles alone, and each public name is documented.
+"""Checks the headers of src/orthoball: each compiles alone, each public name is documented, and each
+source that is cited is in docs/references.bib.
 
 A declaration is documented by a comment directly above it or at its end, or by belonging to a run
 of declarations without an empty line that a comment opens. Types, free functions, constants of the
@@ -171,6 +172,16 @@ def undocumented(path):
     return [f"{name}:{line}: {what} is not documented" for line, what in Reader(path.read_text()).run()]
 
 
+def uncited():
+    """Keys cited in the library that docs/references.bib lacks."""
+    references = ROOT / "docs" / "references.bib"
+    known = set(re.findall(r"^@\w+\{(\w+),", references.read_text(), re.MULTILINE))
+    for path in sorted([*SOURCE.rglob("*.h"), *SOURCE.rglob("*.cpp")]):
+        for key in re.findall(r"@cite\s+(\w+)", path.read_text()):
+            if key not in known:
+                yield f"{path.relative_to(SOURCE)}: @cite {key} is not in docs/references.bib"
+
+
 def compile_alone(path, compiler, includes):
     """What the compiler says to a file that includes nothing but this header."""
     name = path.relative_to(SOURCE)
@@ -190,7 +201,7 @@ def main():
     options = parser.parse_args()
 
     headers = sorted(SOURCE.rglob("*.h"))
-    faults = [fault for path in headers for fault in undocumented(path)]
+    faults = [*uncited(), *(fault for path in headers for fault in undocumented(path))]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for found in pool.map(lambda path: compile_alone(path, options.compiler, options.include), headers):
             faults += found

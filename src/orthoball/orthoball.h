@@ -1,8 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Everything, in flow order.
+// Everything that a program which uses the library needs, in flow order.
+#include "orthoball/version.h"
+// no layer
 #include "orthoball/error.h"
 #include "orthoball/ids.h"
+// points, input
+#include "orthoball/input/read.h"
 #include "orthoball/points/weighted_points.h"
-#include "orthoball/version.h"
+// triangulation
+#include "orthoball/triangulation/build.h"
+#include "orthoball/triangulation/regular_triangulation.h"
+#include "orthoball/triangulation/verify.h"
+// filtration
+#include "orthoball/filtration/filtration.h"
+#include "orthoball/filtration/simplex_table.h"
+// signatures
+#include "orthoball/signatures/signature.h"
+// all of them, the dimension chosen at run time
+#include "orthoball/alpha_shapes.h"

@@ -20,16 +20,18 @@ namespace orthoball {
 /// number of corners 1..4; derived in docs/derivations/orthoradius.md. Every value is below 2 to
 /// that many bits in magnitude.
 struct OrthoradiusBits {
-  std::array<int, 2> numerator;  ///< {per frame bit, constant}
-  std::array<int, 2> denominator;
-  std::array<int, 2> coordinate;  ///< of orthocentre_coordinates
+  std::array<int, 2> numerator;    ///< {per frame bit, constant}
+  std::array<int, 2> denominator;  ///< likewise
+  std::array<int, 2> coordinate;   ///< of orthocentre_coordinates
 };
+/// [number of corners - 1]
 inline constexpr std::array<OrthoradiusBits, 4> kOrthoradiusBits{{
     {{2, 0}, {0, 1}, {0, 0}},
     {{4, 6}, {2, 4}, {2, 4}},
     {{6, 9}, {4, 6}, {4, 8}},
     {{8, 13}, {6, 9}, {6, 12}},
 }};
+/// What a rule of OrthoradiusBits gives in a frame.
 [[nodiscard]] constexpr int bits_of(const std::array<int, 2>& rule, const LocalFrame& frame) {
   return rule[0] * frame.bits + rule[1];
 }
@@ -124,6 +126,7 @@ struct OrthoradiusFraction {
   Int denominator;
 };
 
+/// Exact where `Int` has the bits that kOrthoradiusBits asks for.
 template <class Int, int D, std::size_t Corners>
 [[nodiscard]] OrthoradiusFraction<Int> orthoradius_fraction(
     const FramedSimplex<D, Corners>& simplex) {

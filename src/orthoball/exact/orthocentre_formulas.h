@@ -25,16 +25,18 @@ struct CornerDifferences {
 /// For an edge the two would be a and u.
 template <class Number, int D, std::size_t Corners>
 struct OrthocentreVectors {
-  std::array<Number, std::size_t{D}> x;
-  std::array<Number, Corners == 3 && D == 3 ? 3 : 1> y;
+  std::array<Number, std::size_t{D}> x;                  ///< [axis]
+  std::array<Number, Corners == 3 && D == 3 ? 3 : 1> y;  ///< [axis], or the one number it is
 };
 
+/// u x v, as exact as the arithmetic of `Length`.
 template <class Length>
 [[nodiscard]] auto cross_product(const std::array<Length, 3>& u, const std::array<Length, 3>& v) {
   return std::array{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
                     u[0] * v[1] - u[1] * v[0]};
 }
 
+/// a . b, as exact as the arithmetic of its numbers.
 template <class A, class B, std::size_t Size>
 [[nodiscard]] auto dot_product(const std::array<A, Size>& a, const std::array<B, Size>& b) {
   auto sum = a[0] * b[0];
@@ -42,6 +44,7 @@ template <class A, class B, std::size_t Size>
   return sum;
 }
 
+/// The vectors of a triangle or tetrahedron, as exact as the arithmetic of `Number`.
 template <class Number, class Length, int D, std::size_t Corners>
 [[nodiscard]] OrthocentreVectors<Number, D, Corners> orthocentre_vectors(
     const CornerDifferences<Length, Number, D, Corners>& simplex) {
@@ -76,6 +79,7 @@ struct OrthocentreSquares {
   Number y;
 };
 
+/// The squares for any simplex but a vertex, as exact as the arithmetic of `Number`.
 template <class Number, class Length, int D, std::size_t Corners>
 [[nodiscard]] OrthocentreSquares<Number> orthocentre_squares(
     const CornerDifferences<Length, Number, D, Corners>& simplex) {
