@@ -6,6 +6,3 @@ target_compile_options(
             -Wundef -Werror
             # g++ 12 warns wrongly where a string is put behind a literal (its bug 105651).
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
-
-# g++ 12 sees overlapping copies in std::string's operator+ where there are none (GCC bug 105651).
-target_compile_options(orthoball_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
