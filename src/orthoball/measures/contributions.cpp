@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: MIT
+//
+// Simplices are measured in batches: the coordinates of kLanes of them are laid out side by side,
+// and every formula is a loop over the lanes without branches, which compilers turn into vector
+// code.
+//
+// A tetrahedron with vertices a, b, c, d gives the cross products n_a, n_b, n_c, n_d of its facets
+// (n_a without a, and so on), each a product of differences from the facet's first vertex, so that
+// the same facet gives the same double from both sides. The angle at an edge between the outward
+// normals of its two facets, the exterior angle, has the cosine +-(n . m) / (|n| |m|) and the sine
+// |n x m| / (|n| |m|). As n x m is 6 V times the edge, its length is 6 V len, and the angle is
+// atan2(6 V len, +-(n . m)): the sign is the product of the signs that turn both outward.
+#include "orthoball/measures/contributions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "orthoball/filtration/edge_ring.h"
+#include "orthoball/measures/angle.h"
+
+namespace orthoball {
+namespace {
+
+constexpr std::size_t kLanes = 32;
+
+struct alignas(64) Row : std::array<double, kLanes> {};
+
+template <int D>
+using Points = std::array<Row, static_cast<std::size_t>(D)>;  // [axis][lane]
+
+// N points per lane and the exponent of its results: lengths are to be multiplied by 2^exponent,
+// areas by 2^(2 exponent) and so on.
+template <int D, std::size_t N>
+struct Batch {
+  std::array<Points<D>, N> x;
+  std::array<int, kLanes> exponent;
+};
+
+struct Vector {
+  double x, y, z;
+};
+Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+Vector vector(const Points<3>& points, std::size_t lane) {
+  return {points[0][lane], points[1][lane], points[2][lane]};
+}
+double length(const Points<2>& a, const Points<2>& b, std::size_t lane) {
+  const double x = b[0][lane] - a[0][lane], y = b[1][lane] - a[1][lane];
+  return std::sqrt(x * x + y * y);
+}
+
+// What the kernels give, lane by lane.
+template <int D>
+struct CellRows {
+  Row volume, length;
+  std::array<Row, kCorners<D>> facets;
+};
+struct FacetRows {
+  Row area, perimeter;
+};
+
+void measure(const Batch<3, 4>& batch, CellRows<3>& out) {
+  alignas(64) std::array<Row, 6> lengths, sines, cosines;
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    const Vector a = vector(batch.x[0], k), b = vector(batch.x[1], k);
+    const Vector c = vector(batch.x[2], k), d = vector(batch.x[3], k);
+    const Vector ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b;
+    const Vector n_d = cross(ab, ac), n_c = cross(ab, ad), n_b = cross(ac, ad), n_a = cross(bc, bd);
+    const double volume = std::abs(dot(ab, n_b));
+    out.volume[k] = volume;
+    out.facets[0][k] = norm(n_a);
+    out.facets[1][k] = norm(n_b);
+    out.facets[2][k] = norm(n_c);
+    out.facets[3][k] = norm(n_d);
+    // n_a and n_c point outward where n_b and n_d point inward, or the other way round.
+    const std::array<double, 6> length{norm(ab), norm(ac), norm(ad),
+                                       norm(bc), norm(bd), norm(d - c)};
+    const std::array<double, 6> cosine{-dot(n_c, n_d), dot(n_b, n_d), -dot(n_b, n_c),
+                                       -dot(n_a, n_d), dot(n_a, n_c), -dot(n_a, n_b)};
+    for (std::size_t edge = 0; edge < 6; ++edge) {
+      lengths[edge][k] = length[edge];
+      sines[edge][k] = volume * length[edge];
+      cosines[edge][k] = cosine[edge];
+    }
+  }
+  out.length.fill(0.0);
+  for (std::size_t edge = 0; edge < 6; ++edge) {
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      out.length[k] += lengths[edge][k] * angle_from_x_axis(cosines[edge][k], sines[edge][k]);
+    }
+  }
+}
+
+void measure(const Batch<2, 3>& batch, CellRows<2>& out) {
+  const auto& [a, b, c] = batch.x;
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    out.volume[k] = std::abs((b[0][k] - a[0][k]) * (c[1][k] - a[1][k]) -
+                             (b[1][k] - a[1][k]) * (c[0][k] - a[0][k]));
+    out.facets[0][k] = length(b, c, k);
+    out.facets[1][k] = length(a, c, k);
+    out.facets[2][k] = length(a, b, k);
+  }
+  out.length.fill(0.0);
+}
+
+void measure(const Batch<3, 3>& batch, FacetRows& out) {
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    const Vector a = vector(batch.x[0], k), b = vector(batch.x[1], k), c = vector(batch.x[2], k);
+    const Vector ab = b - a, ac = c - a;
+    out.area[k] = norm(cross(ab, ac));
+    out.perimeter[k] = norm(ab) + norm(ac) + norm(c - b);
+  }
+}
+
+void measure(const Batch<2, 2>& batch, FacetRows& out) {
+  for (std::size_t k = 0; k < kLanes; ++k) out.area[k] = length(batch.x[0], batch.x[1], k);
+  out.perimeter.fill(0.0);
+}
+
+void measure(const Batch<3, 2>& batch, Row& out) {
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    out[k] = norm(vector(batch.x[1], k) - vector(batch.x[0], k));
+  }
+}
+
+template <std::size_t N>
+using Vertices = std::array<std::uint32_t, N>;  // by number, ascending
+
+// Where the coordinates come from and in which unit contributions are wanted.
+template <int D>
+struct Source {
+  const Sites<D>& sites;
+  bool is_wide;
+  int unit_exponent;
+
+  template <std::size_t N>
+  void load(const Vertices<N>& vertices, std::size_t lane, Batch<D, N>& batch) const {
+    if (is_wide) {
+      load_wide(vertices, lane, batch);
+      return;
+    }
+    batch.exponent[lane] = 0;
+    for (std::size_t i = 0; i < N; ++i) {
+      const Site<D>& site = sites[vertices[i]];
+      for (std::size_t axis = 0; axis < D; ++axis) batch.x[i][axis][lane] = site.x[axis];
+    }
+  }
+
+ private:
+  // The simplex moved to the origin and scaled by a power of two to a size between 1/2 and 1.
+  template <std::size_t N>
+  void load_wide(const Vertices<N>& vertices, std::size_t lane, Batch<D, N>& batch) const {
+    std::array<ExactSite<D>, N> exact;
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < N; ++i) {
+      exact[i] = sites.exact(vertices[i]);
+      for (const double x : exact[i].x) farthest = std::max(farthest, std::abs(x));
+    }
+    const int halved = farthest > 0x1p+1000 ? 1 : 0;  // so that differences do not overflow
+    const double factor = halved == 1 ? 0.5 : 1.0;
+    double largest = 0.0;
+    for (std::size_t i = N; i-- > 0;) {
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        exact[i].x[axis] = factor * exact[i].x[axis] - factor * exact[0].x[axis];
+        largest = std::max(largest, std::abs(exact[i].x[axis]));
+      }
+    }
+    const int size = largest > 0.0 ? std::ilogb(largest) + 1 : 0;
+    for (std::size_t i = 0; i < N; ++i) {
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        batch.x[i][axis][lane] = std::ldexp(exact[i].x[axis], -size);
+      }
+    }
+    batch.exponent[lane] = size + halved + unit_exponent - sites.exact_scale_exponent();
+  }
+};
+
+// The vertices of a facet, or of an edge in space, without the general case's detours.
+template <std::size_t N, int D>
+Vertices<N> vertices_of(const Filtration<D>& filtration, std::uint32_t simplex) {
+  const auto records = filtration.triangulation().template cells<D>();
+  const SimplexTable<D>& table = filtration.table();
+  Vertices<N> result{};
+  if (records.empty()) {
+    const auto vertices = filtration.vertices(SimplexId(simplex));
+    for (std::size_t i = 0; i < N; ++i) result[i] = vertices[i].row();
+  } else if constexpr (N == kCorners<D> - 1) {
+    const std::uint32_t owner = table.facet_owners()[simplex - table.first(D - 1)];
+    const CellRecord<D>& record = records[owner / 4];
+    const std::size_t left_out = owner % 4;
+    for (std::size_t i = 0; i < N; ++i) result[i] = record.corners[i < left_out ? i : i + 1];
+    if (result[N - 1] < result[N - 2]) std::swap(result[N - 2], result[N - 1]);
+  } else {
+    const std::uint32_t owner = table.edge_owners()[simplex - table.first(1)];
+    const auto [i, j] = kEdgeCorners[owner % 6];
+    const auto [smaller, larger] =
+        std::minmax(records[owner / 6].corners[i], records[owner / 6].corners[j]);
+    result = {smaller, larger};
+  }
+  return result;
+}
+
+// Loads, measures and stores batch after batch.
+// load(simplex, lane) fills a lane, store(lane, place) writes one out.
+template <class Load, class Measure, class Store>
+void in_batches(std::span<const Placed> simplices, const Load& load, const Measure& measure_lanes,
+                const Store& store) {
+  for (std::size_t begin = 0; begin < simplices.size(); begin += kLanes) {
+    const std::size_t lanes = std::min(kLanes, simplices.size() - begin);
+    for (std::size_t lane = 0; lane < lanes; ++lane) load(simplices[begin + lane].simplex, lane);
+    measure_lanes();
+    for (std::size_t lane = 0; lane < lanes; ++lane) store(lane, simplices[begin + lane].place);
+  }
+}
+
+// The areas of a cell's facets as the facets themselves give them, each in its own scale: in the
+// cell's scale a small one may vanish.
+template <int D>
+void measure_facets_alone(const Source<D>& source, const Vertices<kCorners<D>>& vertices,
+                          CellContribution<D>& cell) {
+  Batch<D, kCorners<D> - 1> batch{};
+  FacetRows rows;
+  for (std::size_t i = 0; i < kCorners<D>; ++i) {
+    Vertices<kCorners<D> - 1> facet{};
+    for (std::size_t j = 0; j < facet.size(); ++j) facet[j] = vertices[j < i ? j : j + 1];
+    source.load(facet, i, batch);
+  }
+  measure(batch, rows);
+  for (std::size_t i = 0; i < kCorners<D>; ++i) {
+    cell.facets[i] = std::ldexp(rows.area[i], (D - 1) * batch.exponent[i]);
+  }
+}
+
+}  // namespace
+
+template <int D>
+Contributions<D>::Contributions(const Filtration<D>& filtration)
+    : filtration_(&filtration),
+      unit_exponent_(filtration.triangulation().sites().scale_exponent()) {}
+
+template <int D>
+Contributions<D>::Contributions(const Filtration<D>& filtration, int unit_exponent)
+    : filtration_(&filtration), is_wide_(true), unit_exponent_(unit_exponent) {}
+
+template <int D>
+void Contributions<D>::measure(std::span<const Placed> cells,
+                               std::span<CellContribution<D>> out) const {
+  const RegularTriangulation<D>& triangulation = filtration_->triangulation();
+  const Source<D> source{triangulation.sites(), is_wide_, unit_exponent_};
+  const auto records = triangulation.template cells<D>();
+  const std::uint32_t first = filtration_->table().first(D);
+  Batch<D, kCorners<D>> batch{};
+  CellRows<D> rows;
+  std::array<Vertices<kCorners<D>>, kLanes> vertices;
+  std::array<std::array<bool, kCorners<D>>, kLanes> is_second;
+  const auto load = [&](std::uint32_t simplex, std::size_t lane) {
+    const std::uint32_t cell = simplex - first;
+    const CellRecord<D>& record = records[cell];
+    const std::uint32_t enters = filtration_->enters(SimplexId(simplex));
+    vertices[lane] = record.corners;
+    for (std::size_t corner = 0; corner < kCorners<D>; ++corner) {
+      const std::uint32_t beyond = record.neighbours[corner];
+      const std::uint32_t other = beyond / 4;
+      is_second[lane][corner] =
+          beyond != kOutside &&
+          std::pair(filtration_->enters(SimplexId(first + other)), other) < std::pair(enters, cell);
+    }
+    if (vertices[lane][D] < vertices[lane][D - 1]) {  // corners ascend but for the last two
+      std::swap(vertices[lane][D - 1], vertices[lane][D]);
+      std::swap(is_second[lane][D - 1], is_second[lane][D]);
+    }
+    source.load(vertices[lane], lane, batch);
+  };
+  const auto store = [&](std::size_t lane, std::uint32_t place) {
+    CellContribution<D>& cell = out[place];
+    cell.volume = rows.volume[lane];
+    cell.length = rows.length[lane];
+    for (std::size_t i = 0; i < kCorners<D>; ++i) cell.facets[i] = rows.facets[i][lane];
+    if (is_wide_) {
+      const int exponent = batch.exponent[lane];
+      cell.volume = std::ldexp(cell.volume, D * exponent);
+      cell.length = std::ldexp(cell.length, exponent);
+      measure_facets_alone(source, vertices[lane], cell);
+    }
+    for (std::size_t i = 0; i < kCorners<D>; ++i) {
+      cell.facets[i] = is_second[lane][i] ? -cell.facets[i] : cell.facets[i];
+    }
+  };
+  in_batches(
+      cells, load, [&] { orthoball::measure(batch, rows); }, store);
+}
+
+template <int D>
+void Contributions<D>::measure(std::span<const Placed> facets,
+                               std::span<FacetContribution> out) const {
+  const Source<D> source{filtration_->triangulation().sites(), is_wide_, unit_exponent_};
+  Batch<D, kCorners<D> - 1> batch{};
+  FacetRows rows;
+  in_batches(
+      facets,
+      [&](std::uint32_t simplex, std::size_t lane) {
+        source.load(vertices_of<kCorners<D> - 1>(*filtration_, simplex), lane, batch);
+      },
+      [&] { orthoball::measure(batch, rows); },
+      [&](std::size_t lane, std::uint32_t place) {
+        out[place] = {rows.area[lane], rows.perimeter[lane]};
+        if (!is_wide_) return;
+        out[place].area = std::ldexp(out[place].area, (D - 1) * batch.exponent[lane]);
+        out[place].perimeter = std::ldexp(out[place].perimeter, batch.exponent[lane]);
+      });
+}
+
+template <int D>
+void Contributions<D>::measure(std::span<const Placed> edges,
+                               std::span<EdgeContribution> out) const {
+  if constexpr (D == 3) {
+    const Source<D> source{filtration_->triangulation().sites(), is_wide_, unit_exponent_};
+    Batch<D, 2> batch{};
+    Row lengths;
+    in_batches(
+        edges,
+        [&](std::uint32_t simplex, std::size_t lane) {
+          source.load(vertices_of<2>(*filtration_, simplex), lane, batch);
+        },
+        [&] { orthoball::measure(batch, lengths); },
+        [&](std::size_t lane, std::uint32_t place) {
+          out[place] = is_wide_ ? std::ldexp(lengths[lane], batch.exponent[lane]) : lengths[lane];
+        });
+  }
+}
+
+template class Contributions<2>;
+template class Contributions<3>;
+
+}  // namespace orthoball

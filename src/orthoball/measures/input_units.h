@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "orthoball/exact/double_double.h"
+
+namespace orthoball {
+
+/// pi to 106 bits.
+inline constexpr DoubleDouble kPi{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
+
+/// Turns lengths, areas or volumes from the scaled units of Sites into input units.
+class InputUnits {
+ public:
+  /// @param power           1 for lengths, 2 for areas, 3 for volumes.
+  /// @param scale_exponent  one unit of the points is 2^scale_exponent units of the values.
+  /// @param decimals        one input unit is 10^decimals units of the points, >= 0.
+  /// @param divisor         the values are this many times too large, 1..6.
+  InputUnits(int power, int scale_exponent, int decimals, int divisor);
+
+  /// The value in input units. Error <= (1/2 + 2^-40) units in the last place where `value` is
+  /// exact and the result is a normal number; infinite beyond the double range.
+  [[nodiscard]] double operator()(DoubleDouble value) const;
+
+ private:
+  DoubleDouble factor_{1.0, 0.0};
+  int exponent_ = 0;           // a value is to be multiplied by factor_ * 2^exponent_
+  double power_of_two_ = 1.0;  // 2^exponent_, 0 where that is no normal number
+};
+
+}  // namespace orthoball
