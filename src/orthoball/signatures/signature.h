@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
 
+#include "orthoball/filtration/filter_steps.h"
 #include "orthoball/filtration/filtration.h"
+#include "orthoball/topology/betti.h"
 
 namespace orthoball {
 
@@ -20,12 +20,12 @@ namespace orthoball {
 /// sites span less than R^D, volume is 0 and the top simplices end as singular ones.
 template <int D>
 struct Signature {
-  std::uint32_t index = 0;               ///< 0..s
-  double alpha2 = 0.0;                   ///< label of the index (or the value asked for); length^2
-  std::array<std::uint32_t, D> betti{};  ///< components, tunnels[, voids]
-  std::int64_t euler = 0;                ///< vertices - edges + triangles - tetrahedra
+  std::uint32_t index = 0;  ///< 0..s
+  double alpha2 = 0.0;      ///< label of the index, -infinity for 0; length^2
+  BettiNumbers<D> betti{};  ///< components, tunnels[, voids]
+  std::int64_t euler = 0;   ///< vertices - edges + triangles - tetrahedra
   /// [dimension] numbers of simplices by role; their sums are the simplices of the triangulation.
-  std::array<std::uint32_t, D + 1> exterior{}, singular{}, regular{}, interior{};
+  ByDimension<D> exterior{}, singular{}, regular{}, interior{};
   double volume = 0.0;         ///< of the cells in the complex; length^D
   double area_singular = 0.0;  ///< of singular facets, one side each; length^(D-1)
   double area_regular = 0.0;   ///< of regular facets, one side each; length^(D-1)
@@ -34,7 +34,7 @@ struct Signature {
 };
 
 /// Calls `visit` with the signature of every index 1..s in order (index 0, the empty complex, is
-/// not visited). One scan of the filter: O(n) time, O(n) extra memory but nothing per index.
+/// not visited). One scan of the filter: O(n) time; at most 250 bytes of extra memory a site.
 template <int D>
 void scan_signatures(const Filtration<D>& filtration,
                      const std::function<void(const Signature<D>&)>& visit);
