@@ -16,10 +16,11 @@
 // filtration
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/filtration/simplex_table.h"
-// signatures
+// topology, measures
 #include "orthoball/measures/complex_measures.h"
+#include "orthoball/topology/betti.h"
+// signatures
 #include "orthoball/signatures/notable_alphas.h"
 #include "orthoball/signatures/signature.h"
-#include "orthoball/topology/betti.h"
 // all of them, the dimension chosen at run time
 #include "orthoball/alpha_shapes.h"

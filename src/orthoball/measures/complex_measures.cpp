@@ -17,6 +17,8 @@
 #include <cmath>
 #include <span>
 
+#include "orthoball/filtration/face_vertices.h"
+
 namespace orthoball {
 namespace {
 
@@ -34,11 +36,10 @@ bool has_edge_below(const Filtration<D>& filtration, double length) {
   const Sites<D>& sites = filtration.triangulation().sites();
   const std::uint32_t first = filtration.table().first(1);
   for (std::uint32_t edge = 0; edge < filtration.count(1); ++edge) {
-    const auto ends = filtration.vertices(SimplexId(first + edge));
+    const auto ends = face_vertices<2>(filtration, SimplexId(first + edge));
     double longest = 0.0;
     for (int axis = 0; axis < D; ++axis) {
-      longest =
-          std::max(longest, std::abs(sites[ends[1].row()].x[axis] - sites[ends[0].row()].x[axis]));
+      longest = std::max(longest, std::abs(sites[ends[1]].x[axis] - sites[ends[0]].x[axis]));
     }
     if (longest < length) return true;
   }

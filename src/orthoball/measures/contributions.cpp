@@ -16,7 +16,7 @@
 #include <cmath>
 #include <utility>
 
-#include "orthoball/filtration/edge_ring.h"
+#include "orthoball/filtration/face_vertices.h"
 #include "orthoball/measures/angle.h"
 
 namespace orthoball {
@@ -180,31 +180,6 @@ struct Source {
   }
 };
 
-// The vertices of a facet, or of an edge in space, without the general case's detours.
-template <std::size_t N, int D>
-Vertices<N> vertices_of(const Filtration<D>& filtration, std::uint32_t simplex) {
-  const auto records = filtration.triangulation().template cells<D>();
-  const SimplexTable<D>& table = filtration.table();
-  Vertices<N> result{};
-  if (records.empty()) {
-    const auto vertices = filtration.vertices(SimplexId(simplex));
-    for (std::size_t i = 0; i < N; ++i) result[i] = vertices[i].row();
-  } else if constexpr (N == kCorners<D> - 1) {
-    const std::uint32_t owner = table.facet_owners()[simplex - table.first(D - 1)];
-    const CellRecord<D>& record = records[owner / 4];
-    const std::size_t left_out = owner % 4;
-    for (std::size_t i = 0; i < N; ++i) result[i] = record.corners[i < left_out ? i : i + 1];
-    if (result[N - 1] < result[N - 2]) std::swap(result[N - 2], result[N - 1]);
-  } else {
-    const std::uint32_t owner = table.edge_owners()[simplex - table.first(1)];
-    const auto [i, j] = kEdgeCorners[owner % 6];
-    const auto [smaller, larger] =
-        std::minmax(records[owner / 6].corners[i], records[owner / 6].corners[j]);
-    result = {smaller, larger};
-  }
-  return result;
-}
-
 // Loads, measures and stores batch after batch.
 // load(simplex, lane) fills a lane, store(lane, place) writes one out.
 template <class Load, class Measure, class Store>
@@ -304,7 +279,7 @@ void Contributions<D>::measure(std::span<const Placed> facets,
   in_batches(
       facets,
       [&](std::uint32_t simplex, std::size_t lane) {
-        source.load(vertices_of<kCorners<D> - 1>(*filtration_, simplex), lane, batch);
+        source.load(face_vertices<kCorners<D> - 1>(*filtration_, SimplexId(simplex)), lane, batch);
       },
       [&] { orthoball::measure(batch, rows); },
       [&](std::size_t lane, std::uint32_t place) {
@@ -325,7 +300,7 @@ void Contributions<D>::measure(std::span<const Placed> edges,
     in_batches(
         edges,
         [&](std::uint32_t simplex, std::size_t lane) {
-          source.load(vertices_of<2>(*filtration_, simplex), lane, batch);
+          source.load(face_vertices<2>(*filtration_, SimplexId(simplex)), lane, batch);
         },
         [&] { orthoball::measure(batch, lengths); },
         [&](std::size_t lane, std::uint32_t place) {

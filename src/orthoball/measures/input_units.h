@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+
 #include "orthoball/exact/double_double.h"
 
 namespace orthoball {
@@ -19,11 +21,15 @@ class InputUnits {
 
   /// The value in input units. Error <= (1/2 + 2^-40) units in the last place where `value` is
   /// exact and the result is a normal number; infinite beyond the double range.
-  [[nodiscard]] double operator()(DoubleDouble value) const;
+  [[nodiscard]] double operator()(const DoubleDouble& value) const {
+    const double product = has_factor_ ? (value * factor_).high : value.high;
+    return power_of_two_ != 0.0 ? product * power_of_two_ : std::ldexp(product, exponent_);
+  }
 
  private:
-  DoubleDouble factor_{1.0, 0.0};
-  int exponent_ = 0;           // a value is to be multiplied by factor_ * 2^exponent_
+  DoubleDouble factor_;      // a value is to be multiplied by factor_ * 2^exponent_
+  bool has_factor_ = false;  // factor_ is not 1
+  int exponent_ = 0;
   double power_of_two_ = 1.0;  // 2^exponent_, 0 where that is no normal number
 };
 

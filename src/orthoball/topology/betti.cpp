@@ -21,6 +21,7 @@
 #include <string>
 
 #include "orthoball/error.h"
+#include "orthoball/filtration/face_vertices.h"
 #include "orthoball/topology/union_find.h"
 
 namespace orthoball {
@@ -42,11 +43,6 @@ struct Block {
   }
 };
 
-template <class T>
-void prefetch(std::span<const T> values, std::size_t i) {
-  if (i < values.size()) __builtin_prefetch(&values[i]);
-}
-
 }  // namespace
 
 template <int D>
@@ -61,13 +57,31 @@ void CycleMarks<D>::mark_vertices_and_edges(const Filtration<D>& filtration) {
   const SimplexTable<D>& table = filtration.table();
   const std::uint32_t first_edge = table.first(1);
   const auto edge_count = static_cast<std::uint32_t>(table.count(1));
+  const auto cells = filtration.triangulation().template cells<D>();
+  const std::span<const std::uint32_t> owners = D == 3 ? table.edge_owners() : table.facet_owners();
+  constexpr std::uint32_t kOwnerDivisor = D == 3 ? 6 : 4;
   UnionFind components(filtration.triangulation().vertex_count());
   Block block;
   const auto flush = [&] {
+    if (components.set_count() == 1) {  // then every edge closes a cycle
+      for (std::size_t i = 0; i < block.size; ++i) mark(block.position[i]);
+      block.size = 0;
+      return;
+    }
+    if (!cells.empty()) {
+      for (std::size_t i = 0; i < block.size; ++i) {
+        __builtin_prefetch(&owners[block.simplex[i] - first_edge]);
+      }
+      for (std::size_t i = 0; i < block.size; ++i) {
+        __builtin_prefetch(&cells[owners[block.simplex[i] - first_edge] / kOwnerDivisor]);
+      }
+    }
     for (std::size_t i = 0; i < block.size; ++i) {
-      const auto ends = filtration.vertices(SimplexId(block.simplex[i]));
-      block.a[i] = ends[0].row();
-      block.b[i] = ends[1].row();
+      const auto ends = face_vertices<2>(filtration, SimplexId(block.simplex[i]));
+      block.a[i] = ends[0];
+      block.b[i] = ends[1];
+      components.prefetch(ends[0]);
+      components.prefetch(ends[1]);
     }
     for (std::size_t i = 0; i < block.size; ++i) {
       if (!components.unite(block.a[i], block.b[i])) mark(block.position[i]);
