@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "orthoball/topology/betti.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+#include "generators/cases.h"
+#include "orthoball/error.h"
+#include "orthoball/triangulation/build.h"
+
+namespace orthoball {
+namespace {
+
+template <int D>
+Filtration<D> filtration_of(std::vector<double> coordinates) {
+  return Filtration<D>(
+      regular_triangulation<D>(WeightedPoints(D, std::move(coordinates), WeightKind::none, {})));
+}
+
+TEST(CycleMarks, OfASquareCloseOneLoop) {
+  const Filtration<2> square = filtration_of<2>({0, 0, 1, 0, 0, 1, 1, 1});
+  const CycleMarks<2> marks(square);
+  // Four vertices; four sides, the last of which closes the loop; the diagonal cuts it in two.
+  const std::vector<bool> expected{true,  true, true, true,  false, false,
+                                   false, true, true, false, false};
+  ASSERT_EQ(square.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(marks.closes(i), expected[i]) << i;
+}
+
+TEST(CycleMarks, CountInAnyStretch) {
+  const Filtration<3> filtration(
+      regular_triangulation<3>(generators::points_of(generators::PointFamily::uniform, 3, 60, 1)));
+  const CycleMarks<3> marks(filtration);
+  for (std::size_t begin = 0; begin < filtration.size(); begin += 37) {
+    std::uint32_t expected = 0;
+    for (std::size_t end = begin; end <= std::min(begin + 200, filtration.size()); ++end) {
+      EXPECT_EQ(marks.count(begin, end), expected) << begin << ' ' << end;
+      if (end < filtration.size()) expected += marks.closes(end) ? 1U : 0U;
+    }
+  }
+}
+
+TEST(CycleMarks, LeaveOneComponentOfEveryTriangulation) {
+  for (const generators::Case& one : generators::cases(1, 1, 40)) {
+    if (one.dimension != 3) continue;
+    const Filtration<3> filtration(regular_triangulation<3>(one.points()));
+    EXPECT_EQ(betti_numbers(filtration, filtration.spectrum_size()), (BettiNumbers<3>{1, 0, 0}))
+        << one;
+  }
+}
+
+TEST(BettiNumbers, OfAHollowOctahedronAreThoseOfASphere) {
+  const Filtration<3> filtration =
+      filtration_of<3>({1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1});
+  EXPECT_EQ(betti_numbers(filtration, 0), (BettiNumbers<3>{0, 0, 0}));
+  EXPECT_EQ(betti_numbers(filtration, 1), (BettiNumbers<3>{6, 0, 0}));
+  EXPECT_EQ(betti_numbers(filtration, 2), (BettiNumbers<3>{1, 7, 0}));
+  EXPECT_EQ(betti_numbers(filtration, 3), (BettiNumbers<3>{1, 0, 1}));
+  EXPECT_EQ(betti_numbers(filtration, 4), (BettiNumbers<3>{1, 0, 0}));
+  EXPECT_THROW(static_cast<void>(betti_numbers(filtration, 5)), InputError);
+}
+
+TEST(BettiNumbers, OfAnAnnulusOfPointsHaveOneHole) {
+  std::vector<double> ring;
+  for (int x = -3; x <= 3; ++x) {
+    for (int y = -3; y <= 3; ++y) {
+      if (std::max(std::abs(x), std::abs(y)) < 2) continue;
+      ring.insert(ring.end(), {static_cast<double>(x), static_cast<double>(y)});
+    }
+  }
+  const Filtration<2> filtration = filtration_of<2>(ring);
+  EXPECT_EQ(betti_numbers(filtration, filtration.index(0.5)), (BettiNumbers<2>{1, 1}));
+}
+
+TEST(BettiNumbers, OfCoplanarSitesInSpaceNeverHaveAVoid) {
+  const Filtration<3> filtration = filtration_of<3>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
+  for (std::uint32_t i = 0; i <= filtration.spectrum_size(); ++i) {
+    EXPECT_EQ(betti_numbers(filtration, i)[2], 0U) << i;
+  }
+  EXPECT_EQ(betti_numbers(filtration, 2), (BettiNumbers<3>{1, 1, 0}));
+  EXPECT_EQ(betti_numbers(filtration, 3), (BettiNumbers<3>{1, 0, 0}));
+}
+
+}  // namespace
+}  // namespace orthoball
