@@ -72,8 +72,9 @@ template <int D>
       const double from = sites[0].x[axis];
       if (x == from) continue;
       // The rounded difference is below twice a power of two above it; halved, it cannot overflow.
+      // Halves that round to one number are of numbers 2^-1073 apart at most.
       const double distance = std::abs(0.5 * x - 0.5 * from);
-      top = std::max(top, distance == 0.0 ? -1073 : std::ilogb(distance) + 3);
+      top = std::max(top, distance == 0.0 ? -1072 : std::ilogb(distance) + 3);
     }
     if (site.weight_high != 0.0) {
       const int low = lowest_bit(site.weight_low != 0.0 ? site.weight_low : site.weight_high) +

@@ -30,6 +30,12 @@ struct FilteredDeterminant {
   bool is_exact;  ///< value is the determinant: all numbers were small integers
 };
 
+/// The stage that gives the sign of a determinant whose first stage gave `determinant`.
+[[nodiscard]] inline Stage deciding_stage(const FilteredDeterminant& determinant) {
+  if (std::abs(determinant.value) > determinant.bound) return Stage::filter;
+  return determinant.is_exact ? Stage::integers : Stage::exact;
+}
+
 /// The orientation determinant of A + 1 sites on their first A axes, in doubles.
 template <int A, int D>
 [[nodiscard]] inline FilteredDeterminant filtered_orient(const Sites<D>& sites,
@@ -70,8 +76,8 @@ template <int A, int D>
 
 /// Sign of det [1 p] over A + 1 sites, on their first A axes: positive for b right of a on a line,
 /// for a counterclockwise triangle a, b, c, for a tetrahedron whose corner d sees a, b, c
-/// clockwise. (1) Swapping two corners flips the sign. (2) Zero exactly if the sites are affinely
-/// dependent (A == D). Exact.
+/// counterclockwise. (1) Swapping two corners flips the sign. (2) Zero exactly if the sites are
+/// affinely dependent (A == D). Exact.
 template <int A, int D>
 [[nodiscard]] inline Sign orient(const Sites<D>& sites, const Corners<A>& corners) {
   const FilteredDeterminant determinant = filtered_orient<A, D>(sites, corners);

@@ -75,13 +75,17 @@ Extent extent_of(const WeightedPoints& points, std::span<const SiteId> rows) {
   return extent;
 }
 
+// Below this, determinants of the differences at hand might fall below what underflow can lose
+// (kUnderflow), and all would go to the exact stages.
+constexpr double kSmallestUnscaled = 0x1p-20;
+
 // The power of two that makes all lengths integers of at most 2^53 if one does; otherwise none if
 // the fast stages can take the lengths as they are, or what brings the largest to about 1.
 std::pair<int, bool> scale_for(const Extent& extent) {
   if (extent.largest == 0.0) return {0, true};
   const int top = std::ilogb(extent.largest) + 1;  // every length is below 2^top
   if (top - extent.lowest <= 53) return {-extent.lowest, true};
-  const bool fits = extent.largest < kLargestMagnitude && extent.largest > 1 / kLargestMagnitude;
+  const bool fits = extent.largest < kLargestMagnitude && extent.largest > kSmallestUnscaled;
   return {fits ? 0 : -top, false};
 }
 

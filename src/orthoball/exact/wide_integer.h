@@ -84,27 +84,12 @@ class WideInteger {
   }
   friend constexpr WideInteger operator-(const WideInteger& a) { return WideInteger() - a; }
   friend constexpr WideInteger operator*(const WideInteger& a, const WideInteger& b) {
-    std::size_t begin = 0, end = kLimbs;  // of the limbs of b that count
-    if constexpr (N > 16) {
-      // Of mixed scales most numbers are short for the width: leave out the zeros around them.
-      if (a.sign() == Sign::negative) return -(-a * b);
-      if (b.sign() == Sign::negative) return -(a * -b);
-      while (end > 0 && b.limbs_[end - 1] == 0) --end;
-      while (begin < end && b.limbs_[begin] == 0) ++begin;
-    }
-    WideInteger product;
-    for (std::size_t i = 0; i < kLimbs; ++i) {
-      if (a.limbs_[i] == 0) continue;
-      std::uint64_t carry = 0;
-      std::size_t j = begin;
-      for (; j < end && i + j < kLimbs; ++j) {
-        const Word total = Word{a.limbs_[i]} * b.limbs_[j] + product.limbs_[i + j] + carry;
-        product.limbs_[i + j] = static_cast<std::uint64_t>(total);
-        carry = static_cast<std::uint64_t>(total >> 64U);
-      }
-      if (i + j < kLimbs) product.limbs_[i + j] = carry;  // still 0: rows before end below
-    }
-    return product;
+    if constexpr (!kIsLong) return low_product(a, b);
+    // Magnitudes have zeros to leave out where negative numbers have ones.
+    const bool a_is_negative = a.sign() == Sign::negative;
+    const bool b_is_negative = b.sign() == Sign::negative;
+    const WideInteger product = low_product(a_is_negative ? -a : a, b_is_negative ? -b : b);
+    return a_is_negative != b_is_negative ? -product : product;
   }
   /// a * b, which always fits N + M limbs.
   template <int M>
@@ -143,6 +128,32 @@ class WideInteger {
 
   static constexpr auto kLimbs = static_cast<std::size_t>(N);
   __extension__ using Word = unsigned __int128;
+
+  // Of mixed scales most numbers are short for the width.
+  static constexpr bool kIsLong = N > 16;
+
+  // The low N limbs of the product of the words, signed or not.
+  [[nodiscard]] static constexpr WideInteger low_product(const WideInteger& a,
+                                                         const WideInteger& b) {
+    std::size_t begin = 0, end = kLimbs;  // of the limbs of b that count
+    if constexpr (kIsLong) {
+      while (end > 0 && b.limbs_[end - 1] == 0) --end;
+      while (begin < end && b.limbs_[begin] == 0) ++begin;
+    }
+    WideInteger product;
+    for (std::size_t i = 0; i < kLimbs; ++i) {
+      if (a.limbs_[i] == 0) continue;
+      std::uint64_t carry = 0;
+      std::size_t j = begin;
+      for (; j < end && i + j < kLimbs; ++j) {
+        const Word total = Word{a.limbs_[i]} * b.limbs_[j] + product.limbs_[i + j] + carry;
+        product.limbs_[i + j] = static_cast<std::uint64_t>(total);
+        carry = static_cast<std::uint64_t>(total >> 64U);
+      }
+      if (i + j < kLimbs) product.limbs_[i + j] = carry;  // still 0: rows before end below
+    }
+    return product;
+  }
 
   // The product of the words as unsigned numbers, less 2^(64 N) b where a < 0, and the reverse.
   template <int M>

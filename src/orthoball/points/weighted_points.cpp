@@ -57,6 +57,16 @@ void check_integers(std::span<const double> numbers, std::size_t per_row, double
   }
 }
 
+// Two doubles stand for a number in one way only: the first is the nearest double to it.
+void check_low_parts(std::span<const double> weights, std::span<const double> low) {
+  for (std::size_t row = 0; row < low.size(); ++row) {
+    if (weights[row] + low[row] == weights[row]) continue;
+    throw InputError(InputError::Reason::wrong_argument, row,
+                     "row " + std::to_string(row) +
+                         ": the low part of a weight must be at most half an ulp of the high one");
+  }
+}
+
 }  // namespace
 
 WeightedPoints::WeightedPoints(int dimension, std::vector<double> coordinates, WeightKind kind,
@@ -88,6 +98,7 @@ WeightedPoints WeightedPoints::fixed_point(int dimension, int decimals,
   check_integers(points.weights_, 1,
                  kind == WeightKind::radius ? kLargestInteger : kLargestInteger * kLargestInteger);
   check_integers(weights_low, 1, kLargestInteger);
+  check_low_parts(points.weights_, weights_low);
   points.decimals_ = decimals;
   points.weights_low_ = std::move(weights_low);
   return points;
