@@ -43,15 +43,17 @@ class Geometry {
   // By the exact determinant.
   [[nodiscard]] double volume(const std::vector<std::uint32_t>& rows) const {
     std::vector<std::vector<Integer>> matrix;
-    Rational factor = 1;
+    Rational unit = 1;
     for (std::size_t i = 1; i < rows.size(); ++i) {
       auto& row = matrix.emplace_back();
       for (std::size_t axis = 0; axis + 1 < rows.size(); ++axis) {
         row.push_back(points_.position[rows[i]][axis] - points_.position[rows[0]][axis]);
       }
-      factor *= unit_ / static_cast<int>(i);
+      unit *= unit_;
+      unit /= static_cast<int>(i);
     }
-    return nearest_double(Rational(Integer(abs(determinant(matrix)))) * factor);
+    unit *= determinant(matrix);
+    return std::abs(nearest_double(unit));
   }
   // The angle of the tetrahedron at the edge from its corner a to b.
   [[nodiscard]] double dihedral(std::uint32_t a, std::uint32_t b, std::uint32_t c,
