@@ -342,6 +342,11 @@ const char* name(PointFamily family) {
   throw std::logic_error("a family without a name");
 }
 
+bool is_extreme(PointFamily family) {
+  return family == PointFamily::huge || family == PointFamily::tiny ||
+         family == PointFamily::mixed_scales;
+}
+
 WeightedPoints points_of(PointFamily family, int dimension, std::size_t count, std::uint64_t seed) {
   Random random(seed);
   Draft draft{.dimension = dimension};

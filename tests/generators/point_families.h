@@ -35,6 +35,8 @@ enum class PointFamily {
 
 [[nodiscard]] std::span<const PointFamily> point_families();
 [[nodiscard]] const char* name(PointFamily family);
+/// Whether the numbers need far more bits than a double has: huge, tiny and mixed scales.
+[[nodiscard]] bool is_extreme(PointFamily family);
 
 /// `count` sites of a family in dimension 2 or 3. The same arguments give the same sites on every
 /// machine. The seed also chooses among the variants that a family has.
