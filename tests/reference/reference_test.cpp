@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+// Compares the library with the reference results beside the project, where they are: each input is
+// computed, written as a candidate in the keys of the expected file, and judged by its compare.py.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "oracles/sha256.h"
+#include "orthoball/filtration/filtration.h"
+#include "orthoball/input/read.h"
+#include "orthoball/signatures/signature.h"
+#include "orthoball/triangulation/build.h"
+
+namespace orthoball {
+namespace {
+
+using nlohmann::json;
+using Path = std::filesystem::path;
+
+const Path kShared = Path(ORTHOBALL_SOURCE_DIR) / ".." / "shared";
+
+std::string joined(const std::vector<std::uint32_t>& rows) {
+  std::string text;
+  for (const std::uint32_t row : rows) text += (text.empty() ? "" : " ") + std::to_string(row);
+  return text;
+}
+
+std::string twelve_digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.12g", value);
+  return text;
+}
+
+template <int D>
+std::vector<std::uint32_t> rows_of(const Filtration<D>& filtration, SimplexId simplex) {
+  std::vector<std::uint32_t> rows;
+  for (const SiteId row : filtration.rows(simplex)) rows.push_back(row.row());
+  return rows;
+}
+
+template <int D>
+json digests(const Filtration<D>& filtration) {
+  std::string top_cells, order, values, spectrum;
+
+  std::vector<std::pair<std::vector<std::uint32_t>, double>> simplices;
+  for (std::uint32_t row = 0; row < filtration.size(); ++row) {
+    const SimplexId simplex(row);
+    simplices.emplace_back(rows_of(filtration, simplex),
+                           filtration.alpha2(filtration.enters(simplex)));
+  }
+  std::sort(simplices.begin(), simplices.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.first.size(), a.first) < std::pair(b.first.size(), b.first);
+  });
+  const auto top = static_cast<std::size_t>(filtration.triangulation().affine_dimension() + 1);
+  for (const auto& [rows, alpha2] : simplices) {
+    values += joined(rows) + ' ' + twelve_digits(alpha2) + '\n';
+    if (rows.size() == top) top_cells += joined(rows) + '\n';
+  }
+
+  std::uint32_t index = 1;
+  for (const SimplexId simplex : filtration.filter_by_rows()) {
+    if (filtration.enters(simplex) != index) order += "|\n";
+    index = filtration.enters(simplex);
+    order += std::to_string(filtration.dimension(simplex)) + ' ' +
+             joined(rows_of(filtration, simplex)) + '\n';
+  }
+  std::string last;
+  for (const double alpha2 : filtration.spectrum()) {
+    const std::string text = twelve_digits(alpha2);
+    if (text != last) spectrum += text + '\n';
+    last = text;
+  }
+  return {{"top_cells", oracles::sha256(top_cells)},
+          {"filtration_order", oracles::sha256(order)},
+          {"simplex_values_12g", oracles::sha256(values)},
+          {"spectrum_12g", oracles::sha256(spectrum)}};
+}
+
+// Four or three numbers, one for each dimension, as the expected files have them.
+template <class Array>
+std::vector<std::uint32_t> padded(const Array& array, std::size_t size) {
+  std::vector<std::uint32_t> values(array.begin(), array.end());
+  values.resize(size, 0);
+  return values;
+}
+
+template <int D>
+json at_thresholds(const Filtration<D>& filtration, const std::vector<double>& thresholds) {
+  std::vector<std::uint32_t> indices;
+  for (const double alpha2 : thresholds) indices.push_back(filtration.index(alpha2));
+  const auto signature = signatures(filtration, std::span<const std::uint32_t>(indices));
+  json rows = json::array();
+  for (std::size_t i = 0; i < thresholds.size(); ++i) {
+    rows.push_back({{"alpha2", thresholds[i]},
+                    {"betti", padded(signature[i].betti, 3)},
+                    {"singular", signature[i].singular},
+                    {"regular", signature[i].regular},
+                    {"interior", signature[i].interior},
+                    {"volume", signature[i].volume},
+                    {"boundary_regular", signature[i].area_regular},
+                    {"boundary_singular", signature[i].area_singular}});
+  }
+  return rows;
+}
+
+template <int D>
+json candidate(const Filtration<D>& filtration, const std::vector<double>& thresholds) {
+  const RegularTriangulation<D>& triangulation = filtration.triangulation();
+  json result{{"affine_dim", triangulation.affine_dimension()},
+              {"distinct_sites", triangulation.distinct_site_count()},
+              {"vertices_in_triangulation", triangulation.vertex_count()},
+              {"hidden_distinct", triangulation.hidden().size()},
+              {"spectrum_size", filtration.spectrum_size()},
+              {"sha256", digests(filtration)},
+              {"at", at_thresholds(filtration, thresholds)}};
+  std::vector<std::uint32_t> counts(4), attached(4);
+  std::vector<double> sums(static_cast<std::size_t>(triangulation.affine_dimension() + 1));
+  for (std::uint32_t row = 0; row < filtration.size(); ++row) {
+    const SimplexId simplex(row);
+    const auto dimension = static_cast<std::size_t>(filtration.dimension(simplex));
+    ++counts[dimension];
+    if (filtration.is_attached(simplex)) ++attached[dimension];
+    sums[dimension] += filtration.alpha2(filtration.enters(simplex));
+  }
+  result["simplices"] = counts;
+  result["attached"] = attached;
+  result["alpha2_sum_by_dim"] = sums;
+  if (filtration.spectrum_size() == 0) return result;
+  result["alpha2_min"] = filtration.spectrum().front();
+  result["alpha2_max"] = filtration.spectrum().back();
+  const std::uint32_t last = filtration.spectrum_size();
+  result["hull_volume"] = signatures(filtration, std::span(&last, 1)).front().volume;
+  return result;
+}
+
+// The same numbers, each taken as the double nearest to it.
+WeightedPoints as_doubles(const WeightedPoints& points) {
+  if (!points.decimals()) return points;
+  const double unit = std::pow(10.0, *points.decimals());  // exact up to 22 decimals
+  EXPECT_LE(*points.decimals(), 22);
+  EXPECT_NE(points.weight_kind(), WeightKind::weight);
+  std::vector<double> coordinates, radii;
+  for (const double x : points.coordinates()) coordinates.push_back(x / unit);
+  for (const double r : points.weights()) radii.push_back(r / unit);
+  return {points.dimension(), coordinates, points.weight_kind(), radii};
+}
+
+Path points_file(const std::string& file) {
+  if (file == "1aon.txt") return kShared / "data/mol/1aon_groel.pdb.gz";
+  if (file == "bunny.txt") return kShared / "data/cloud/bunny.off";
+  const Path generated = kShared / "reference/generated" / file;
+  return exists(generated) ? generated : kShared / "data/points" / file;
+}
+
+WeightedPoints points_of(const json& input) {
+  const Path path = points_file(input["file"]);
+  ReadOptions options;
+  options.dimension = input["dim"].get<int>();
+  options.allow_empty = true;
+  if (path.extension() == ".txt" && input["weighted"]) {
+    options.radius_column = std::to_string(*options.dimension + 1);
+  }
+  const WeightedPoints points = read(path.string(), options).points;
+  if (input["numbers"] == "double") return as_doubles(points);
+  EXPECT_TRUE(points.decimals().has_value());
+  return points;
+}
+
+std::string text_of(const Path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+class Reference : public ::testing::TestWithParam<Path> {};
+
+TEST_P(Reference, AgreesInEveryKey) {
+  if (GetParam().empty()) GTEST_SKIP() << "no ../shared/reference beside the project";
+  const json expected = json::parse(text_of(GetParam()));
+  std::vector<double> thresholds;
+  for (const json& row : expected["at"]) thresholds.push_back(row["alpha2"]);
+
+  const WeightedPoints points = points_of(expected["input"]);
+  const json result = points.dimension() == 2
+                          ? candidate(Filtration<2>(regular_triangulation<2>(points)), thresholds)
+                          : candidate(Filtration<3>(regular_triangulation<3>(points)), thresholds);
+
+  // The reference has no number where its own squares overflow (areas of 1e298): nothing to
+  // compare.
+  for (std::size_t i = 0; i < thresholds.size(); ++i) {
+    for (const char* const key : {"volume", "boundary_regular", "boundary_singular"}) {
+      if (expected["at"][i][key].is_null()) result["at"][i][key] = nullptr;
+    }
+  }
+
+  const Path folder = std::filesystem::temp_directory_path() /
+                      ("orthoball_reference_" + GetParam().filename().string());
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "candidate.json") << result.dump();
+  const Path report = folder / "report.txt";
+  const std::string command = "python3 '" + (kShared / "reference/compare.py").string() +
+                              "' --all --ties '" + GetParam().string() + "' '" +
+                              (folder / "candidate.json").string() + "' > '" + report.string() +
+                              "' 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << text_of(report);
+  std::filesystem::remove_all(folder);
+}
+
+std::vector<Path> expected_files() {
+  std::vector<Path> files;
+  for (const char* const folder : {"generated", "real"}) {
+    const Path path = kShared / "reference" / folder;
+    if (!is_directory(path)) continue;
+    for (const auto& entry : std::filesystem::directory_iterator(path)) {
+      if (entry.path().extension() == ".json") files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  if (files.empty()) files.emplace_back();
+  return files;
+}
+
+std::string test_name(const ::testing::TestParamInfo<Path>& info) {
+  std::string name = info.param.stem().string();
+  if (name.empty()) return "absent";
+  for (char& character : name) {
+    if (std::isalnum(static_cast<unsigned char>(character)) == 0) character = '_';
+  }
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, Reference, ::testing::ValuesIn(expected_files()), test_name);
+
+}  // namespace
+}  // namespace orthoball
