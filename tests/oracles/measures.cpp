@@ -10,62 +10,92 @@ namespace orthoball::oracles {
 
 namespace {
 
-using Vector = std::array<double, 3>;
+using Vector = std::vector<Integer>;
 
 Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
+Integer dot(const Vector& a, const Vector& b) {
+  Integer sum = 0;
+  for (std::size_t axis = 0; axis < a.size(); ++axis) sum += a[axis] * b[axis];
+  return sum;
+}
+int exponent_of(const Integer& value) {
+  return value == 0 ? 0 : static_cast<int>(boost::multiprecision::msb(abs(value)));
+}
+// A number whose magnitude a double may not hold, as value * 2^exponent.
+struct Scaled {
+  double value = 0.0;
+  int exponent = 0;
+};
+Scaled scaled(const Integer& value) {
+  const int exponent = exponent_of(value);
+  return {nearest_double(Rational(value, Integer(1) << exponent)), exponent};
+}
+Scaled square_root(const Integer& value) {
+  const int exponent = exponent_of(value) / 2;
+  return {std::sqrt(nearest_double(Rational(value, Integer(1) << 2 * exponent))), exponent};
+}
 
-// Edge vectors are differences taken exactly and rounded once.
+// Everything is exact until a root or an angle is taken of it.
 class Geometry {
  public:
-  Geometry(const ExactPoints& points, int exponent) : points_(points), unit_(points.unit) {
-    const Integer power = Integer(1) << std::abs(exponent);
-    unit_ *= exponent < 0 ? Rational(power) : Rational(1, power);
-  }
+  Geometry(const ExactPoints& points, int exponent)
+      : points_(points), unit_(scaled_unit(points.unit, exponent)) {}
 
   [[nodiscard]] Vector edge(std::uint32_t from, std::uint32_t to) const {
-    Vector vector{};
+    Vector vector;
     for (std::size_t axis = 0; axis < points_.position[from].size(); ++axis) {
-      vector[axis] = nearest_double(
-          Rational(points_.position[to][axis] - points_.position[from][axis]) * unit_);
+      vector.push_back(points_.position[to][axis] - points_.position[from][axis]);
     }
     return vector;
   }
   [[nodiscard]] double length(const std::vector<std::uint32_t>& rows) const {
-    return norm(edge(rows[0], rows[1]));
+    const Vector along = edge(rows[0], rows[1]);
+    return in_units(square_root(dot(along, along)), 1);
   }
   [[nodiscard]] double area(const std::vector<std::uint32_t>& rows) const {
-    return norm(cross(edge(rows[0], rows[1]), edge(rows[0], rows[2]))) / 2;
+    const Vector normal = cross(edge(rows[0], rows[1]), edge(rows[0], rows[2]));
+    return in_units(square_root(dot(normal, normal)), 2) / 2;
   }
-  // By the exact determinant.
   [[nodiscard]] double volume(const std::vector<std::uint32_t>& rows) const {
-    std::vector<std::vector<Integer>> matrix;
-    Rational unit = 1;
+    std::vector<Vector> edges;
+    int factorial = 1;
     for (std::size_t i = 1; i < rows.size(); ++i) {
-      auto& row = matrix.emplace_back();
-      for (std::size_t axis = 0; axis + 1 < rows.size(); ++axis) {
-        row.push_back(points_.position[rows[i]][axis] - points_.position[rows[0]][axis]);
-      }
-      unit *= unit_;
-      unit /= static_cast<int>(i);
+      edges.push_back(edge(rows[0], rows[i]));
+      factorial *= static_cast<int>(i);
     }
-    unit *= determinant(matrix);
-    return std::abs(nearest_double(unit));
+    return std::abs(in_units(scaled(determinant(edges)), static_cast<int>(edges.size()))) /
+           factorial;
   }
-  // The angle of the tetrahedron at the edge from its corner a to b.
+  // The angle of the tetrahedron at the edge from its corner a to b: the cross product of the two
+  // normals there is the edge times the determinant.
   [[nodiscard]] double dihedral(std::uint32_t a, std::uint32_t b, std::uint32_t c,
                                 std::uint32_t d) const {
-    const Vector along = edge(a, b);
-    const Vector left = cross(along, edge(a, c)), right = cross(along, edge(a, d));
-    return std::atan2(norm(cross(left, right)), dot(left, right));
+    const Vector along = edge(a, b), to_c = edge(a, c), to_d = edge(a, d);
+    const Integer volume = determinant({along, to_c, to_d});
+    const Scaled sine = square_root(dot(along, along) * volume * volume);
+    const Scaled cosine = scaled(dot(cross(along, to_c), cross(along, to_d)));
+    const int largest = std::max(sine.exponent, cosine.exponent);
+    return std::atan2(std::ldexp(sine.value, sine.exponent - largest),
+                      std::ldexp(cosine.value, cosine.exponent - largest));
   }
 
  private:
+  static Scaled scaled_unit(const Rational& unit, int exponent) {
+    Scaled result;
+    result.value = std::frexp(nearest_double(unit), &result.exponent);
+    result.exponent -= exponent;
+    return result;
+  }
+  [[nodiscard]] double in_units(const Scaled& value, int power) const {
+    double result = value.value;
+    for (int i = 0; i < power; ++i) result *= unit_.value;
+    return std::ldexp(result, value.exponent + power * unit_.exponent);
+  }
+
   const ExactPoints& points_;
-  Rational unit_;
+  Scaled unit_;
 };
 
 void add(Measure& measure, double term) {
@@ -93,14 +123,14 @@ void add_length(Measure& length, const Geometry& geometry, const std::vector<std
 
 Measures measures(const ExactPoints& points, const BruteForce& filtration, std::uint32_t index) {
   Measures result;
-  const Geometry unscaled(points, 0);
-  double largest = 0.0;
-  for (std::size_t row = 1; row < points.position.size(); ++row) {
-    for (const double x : unscaled.edge(0, static_cast<std::uint32_t>(row))) {
-      largest = std::max(largest, std::min(std::abs(x), 0x1.fp1023));
+  Integer largest = 1;
+  for (const auto& position : points.position) {
+    for (std::size_t axis = 0; axis < position.size(); ++axis) {
+      largest = std::max(largest, Integer(abs(position[axis] - points.position[0][axis])));
     }
   }
-  std::frexp(largest, &result.exponent);
+  std::frexp(nearest_double(points.unit), &result.exponent);
+  result.exponent += exponent_of(largest) + 1;
   const Geometry geometry(points, result.exponent);
 
   const int dimension = points.dimension;

@@ -190,9 +190,9 @@ TEST_P(Reference, AgreesInEveryKey) {
   for (const json& row : expected["at"]) thresholds.push_back(row["alpha2"]);
 
   const WeightedPoints points = points_of(expected["input"]);
-  const json result = points.dimension() == 2
-                          ? candidate(Filtration<2>(regular_triangulation<2>(points)), thresholds)
-                          : candidate(Filtration<3>(regular_triangulation<3>(points)), thresholds);
+  json result = points.dimension() == 2
+                    ? candidate(Filtration<2>(regular_triangulation<2>(points)), thresholds)
+                    : candidate(Filtration<3>(regular_triangulation<3>(points)), thresholds);
 
   // The reference has no number where its own squares overflow (areas of 1e298): nothing to
   // compare.
