@@ -104,9 +104,11 @@ Sentences signature_differences(const WeightedPoints& points, double angle_error
 TEST(SignatureByDefinition, AgreesOnSmallSetsOfEveryFamily) {
   for (const generators::Case& one : generators::cases(20, 1, 11)) {
     const WeightedPoints points = one.points();
-    EXPECT_EQ(
-        one.dimension == 2 ? signature_differences<2>(points) : signature_differences<3>(points),
-        Sentences{})
+    // Flat cells whose edges differ by 2^100 leave few digits of an angle in doubles.
+    const double angle_error = generators::is_extreme(one.family) ? 1e-6 : 1e-13;
+    EXPECT_EQ(one.dimension == 2 ? signature_differences<2>(points, angle_error)
+                                 : signature_differences<3>(points, angle_error),
+              Sentences{})
         << one;
   }
 }
