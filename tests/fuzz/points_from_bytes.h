@@ -25,7 +25,8 @@ template <int D>
   const int side = kSides[bytes[0] % 5];
   const auto kind = static_cast<WeightKind>(bytes[0] / 5 % 3);
   std::vector<double> coordinates, weights;
-  for (std::size_t at = 1; at + D < bytes.size() && at < 200 * (D + 1); at += D + 1) {
+  constexpr std::size_t kSite = std::size_t{D} + 1;
+  for (std::size_t at = 1; at + D < bytes.size() && at < 200 * kSite; at += kSite) {
     for (std::size_t axis = 0; axis < D; ++axis) coordinates.push_back(bytes[at + axis] % side);
     if (kind != WeightKind::none) {
       weights.push_back(static_cast<std::int8_t>(bytes[at + D]) % side);
@@ -41,11 +42,13 @@ template <int D>
   if (bytes.empty()) return WeightedPoints(D);
   const auto kind = static_cast<WeightKind>(bytes[0] % 3);
   std::vector<double> coordinates, weights;
-  constexpr std::size_t kSite = sizeof(double) * (D + 1);
+  constexpr std::size_t kNumbers = std::size_t{D} + 1;
+  constexpr std::size_t kSite = sizeof(double) * kNumbers;
   for (std::size_t at = 1; at + kSite <= bytes.size() && at < 24 * kSite; at += kSite) {
-    double numbers[D + 1];
+    double numbers[kNumbers];
     std::memcpy(numbers, bytes.data() + at, kSite);
-    if (!std::all_of(numbers, numbers + D + 1, [](double x) { return std::isfinite(x); })) continue;
+    if (!std::all_of(numbers, numbers + kNumbers, [](double x) { return std::isfinite(x); }))
+      continue;
     coordinates.insert(coordinates.end(), numbers, numbers + D);
     if (kind != WeightKind::none) weights.push_back(numbers[D]);
   }
