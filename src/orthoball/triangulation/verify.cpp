@@ -86,6 +86,7 @@ std::array<std::uint32_t, std::size_t{A + 1}> ascending(const CellRecord<A>& rec
 // The numbers in the records: in range, in order, and neighbours mutual with a common facet.
 template <int A>
 void check_records(std::span<const CellRecord<A>> cells, std::size_t vertices, Faults& faults) {
+  if (cells.empty()) faults.add("no cells");
   std::vector<bool> is_used(vertices, false);
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     const auto corners = ascending<A>(cells[cell]);
@@ -182,6 +183,22 @@ CellStore<A> closed_cells(std::span<const CellRecord<A>> records, const Sites<D>
   return cells;
 }
 
+// Whether every cell is reached from the first over facets.
+template <int A>
+bool is_connected(const CellStore<A>& cells) {
+  std::vector<bool> is_reached(cells.size(), false);
+  std::vector<std::uint32_t> reached{0};
+  is_reached[0] = true;
+  for (std::size_t next = 0; next < reached.size(); ++next) {
+    for (const std::uint32_t facet : cells[reached[next]].neighbours) {
+      if (is_reached[facet / 4]) continue;
+      is_reached[facet / 4] = true;
+      reached.push_back(facet / 4);
+    }
+  }
+  return reached.size() == cells.size();
+}
+
 template <int A, int D>
 void check_geometry(const RegularTriangulation<D>& triangulation, const WeightedPoints& points,
                     Faults& faults) {
@@ -202,6 +219,7 @@ void check_geometry(const RegularTriangulation<D>& triangulation, const Weighted
 
   CellStore<A> cells = closed_cells<A, D>(triangulation.template cells<A>(), sites, faults);
   if (!faults.empty()) return;
+  if (!is_connected(cells)) faults.add("the cells are not connected");
   const ConflictRegion<A, D> region(cells, sites);
   for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
     for (std::size_t i = 0; i <= A; ++i) {

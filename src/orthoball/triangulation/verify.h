@@ -14,9 +14,10 @@ namespace orthoball {
 ///
 /// Checked exactly: every row is a vertex, hidden or a duplicate, and once; duplicates equal their
 /// representatives; corners, neighbours and cells are in the order that CellRecord and
-/// RegularTriangulation say; cells are positively oriented; no vertex across a facet is in conflict
-/// with the cell behind it, the hull included (local regularity, which implies the global one); no
-/// hidden site is in conflict with the cell that contains it. At most 20 faults. O(n) exact tests.
+/// RegularTriangulation say; cells are connected and positively oriented; no vertex across a facet
+/// is in conflict with the cell behind it, the hull included (local regularity, which implies the
+/// global one); no hidden site is in conflict with the cell that contains it. At most 20 faults.
+/// O(n) exact tests.
 template <int D>
 [[nodiscard]] std::vector<std::string> verify(const RegularTriangulation<D>& triangulation,
                                               const WeightedPoints& points);

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "orthoball/triangulation/cell_store.h"
+
+#include <gtest/gtest.h>
+
+namespace orthoball {
+namespace {
+
+TEST(CellStore, KnowsTheVertexAtInfinity) {
+  CellStore<3> cells(10);
+  EXPECT_EQ(cells.infinity(), 10U);
+  const std::uint32_t finite = cells.acquire();
+  cells[finite].corners = {3, 1, 9, 0};
+  EXPECT_TRUE(cells.is_finite(cells[finite]));
+  EXPECT_EQ(cells.corner_at_infinity(cells[finite]), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::uint32_t cell = cells.acquire();
+    cells[cell].corners = {3, 1, 9, 0};
+    cells[cell].corners[i] = cells.infinity();
+    EXPECT_FALSE(cells.is_finite(cells[cell]));
+    EXPECT_EQ(cells.corner_at_infinity(cells[cell]), i);
+  }
+  EXPECT_EQ(cells.size(), 5U);
+}
+
+TEST(CellStore, GivesReleasedCellsAgain) {
+  CellStore<2> cells(4);
+  const std::uint32_t a = cells.acquire(), b = cells.acquire();
+  cells[a].corners = cells[b].corners = {0, 1, 2};
+  EXPECT_TRUE(cells.is_alive(a));
+  cells.release(a);
+  EXPECT_FALSE(cells.is_alive(a));
+  EXPECT_TRUE(cells.is_alive(b));
+  EXPECT_EQ(cells.acquire(), a);
+  EXPECT_EQ(cells.acquire(), 2U);
+  EXPECT_EQ(cells.size(), 3U);
+}
+
+TEST(CellStore, JoinsFacetsBothWays) {
+  CellStore<3> cells(8);
+  const std::uint32_t a = cells.acquire(), b = cells.acquire();
+  cells.join(4 * a + 2, 4 * b + 3);
+  EXPECT_EQ(cells[a].neighbours[2], 4 * b + 3);
+  EXPECT_EQ(cells[b].neighbours[3], 4 * a + 2);
+}
+
+}  // namespace
+}  // namespace orthoball
