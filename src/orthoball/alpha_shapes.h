@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <variant>
 
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/points/weighted_points.h"
 
 namespace orthoball {
+
+/// The parts of the work of building an AlphaShapes, in their order.
+enum class BuildStage { triangulation, filtration };
+
+/// Told which part begins, for showing progress.
+using BuildObserver = std::function<void(BuildStage)>;
 
 /// All alpha shapes of weighted points in the plane or in space: the one object whose dimension is
 /// known at run time only. Command line, Python and viewer hold it.
@@ -16,7 +23,7 @@ class AlphaShapes {
  public:
   /// Triangulates and orders. Memory at most 1 KB a site in space.
   /// @throws LimitError for more simplices than can be numbered.
-  explicit AlphaShapes(WeightedPoints points);
+  explicit AlphaShapes(WeightedPoints points, const BuildObserver& on_stage = {});
 
   [[nodiscard]] const WeightedPoints& points() const { return points_; }
   [[nodiscard]] int dimension() const { return points_.dimension(); }

@@ -22,5 +22,12 @@
 // signatures
 #include "orthoball/signatures/notable_alphas.h"
 #include "orthoball/signatures/signature.h"
+// output
+#include "orthoball/output/byte_sink.h"
+#include "orthoball/output/mesh.h"
+#include "orthoball/output/planar_shape.h"
+#include "orthoball/output/shape_mesh.h"
+#include "orthoball/output/signature_plot.h"
+#include "orthoball/output/tables.h"
 // all of them, the dimension chosen at run time
 #include "orthoball/alpha_shapes.h"

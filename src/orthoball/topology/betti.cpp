@@ -125,16 +125,6 @@ void CycleMarks<D>::mark_triangles(const Filtration<D>& filtration) {
       voids.prefetch(block.b[i]);
     }
     for (std::size_t i = 0; i < block.size; ++i) {
-      voids.prefetch_next(block.a[i]);
-      voids.prefetch_next(block.b[i]);
-    }
-    for (std::size_t i = 0; i < block.size; ++i) {
-      block.a[i] = voids.nearer(block.a[i]);
-      block.b[i] = voids.nearer(block.b[i]);
-      voids.prefetch(block.a[i]);
-      voids.prefetch(block.b[i]);
-    }
-    for (std::size_t i = 0; i < block.size; ++i) {
       if (voids.unite(block.a[i], block.b[i])) mark(block.position[i]);
     }
     block.size = 0;

@@ -21,13 +21,11 @@ class UnionFind {
 
   /// The smallest number in the set of `element`. Shortens paths, so it is not const.
   [[nodiscard]] std::uint32_t find(std::uint32_t element) {
-    while (parent_[element] != element) element = nearer(element);
+    while (parent_[element] != element) {
+      parent_[element] = parent_[parent_[element]];
+      element = parent_[element];
+    }
     return element;
-  }
-
-  /// An element of the same set at most two steps nearer to find(): one round of it.
-  [[nodiscard]] std::uint32_t nearer(std::uint32_t element) {
-    return parent_[element] = parent_[parent_[element]];
   }
 
   /// Joins two sets; false if they were one already.
@@ -46,8 +44,6 @@ class UnionFind {
 
   /// Brings the entry of `element` nearer to the processor, for sequences known ahead.
   void prefetch(std::uint32_t element) const { __builtin_prefetch(&parent_[element]); }
-  /// The same for the next entry on the way from `element`, whose own entry is near.
-  void prefetch_next(std::uint32_t element) const { prefetch(parent_[element]); }
 
  private:
   std::vector<std::uint32_t> parent_;  // [element], itself for the smallest of a set

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "orthoball/output/byte_sink.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace orthoball {
+namespace {
+
+template <class Write>
+std::string written(const Write& write, std::string_view missing = "") {
+  std::ostringstream out;
+  ByteSink sink(out, missing);
+  write(sink);
+  sink.flush();
+  return out.str();
+}
+
+TEST(ByteSink, RealsAreTheShortestTextThatReadsBack) {
+  EXPECT_EQ(written([](ByteSink& s) { s.real(0.1); }), "0.1");
+  EXPECT_EQ(written([](ByteSink& s) { s.real(1.0 / 3.0); }), "0.3333333333333333");
+  EXPECT_EQ(written([](ByteSink& s) { s.real(1e300); }), "1e+300");
+  EXPECT_EQ(written([](ByteSink& s) { s.real(2.0); }), "2");
+  for (const double x : {5e-324, 1.7976931348623157e308, 123456789.12345679, -2.5e-7}) {
+    EXPECT_EQ(std::strtod(shortest_text(x).c_str(), nullptr), x);
+  }
+}
+
+TEST(ByteSink, ZeroHasNoSign) {
+  EXPECT_EQ(written([](ByteSink& s) { s.real(-0.0); }), "0");
+  EXPECT_EQ(shortest_text(-0.0), "0");
+}
+
+TEST(ByteSink, WritesTheMissingTextForNumbersThatAreNotFiniteAndCountsThem) {
+  std::ostringstream out;
+  ByteSink sink(out, "null");
+  sink.real(std::numeric_limits<double>::infinity());
+  sink.text(",");
+  sink.real(std::numeric_limits<double>::quiet_NaN());
+  sink.flush();
+  EXPECT_EQ(out.str(), "null,null");
+  EXPECT_EQ(sink.missing_count(), 2U);
+}
+
+TEST(ByteSink, EscapesQuotesAndControlCharactersInJson) {
+  EXPECT_EQ(written([](ByteSink& s) { s.json_string("a\"b\\c\nd é"); }), R"("a\"b\\c\u000ad é")");
+}
+
+TEST(ByteSink, KeepsTheOrderOfPiecesLargerThanItsBuffer) {
+  const std::string large(3U << 20U, 'x');
+  const std::string result = written([&](ByteSink& s) {
+    s.text("a");
+    s.text(large);
+    s.integer(-7);
+  });
+  EXPECT_EQ(result, "a" + large + "-7");
+}
+
+TEST(ByteSink, PutsTheLowestByteFirst) {
+  EXPECT_EQ(written([](ByteSink& s) { s.little_endian(std::uint32_t{0x01020304}); }),
+            "\x04\x03\x02\x01");
+}
+
+TEST(ByteSink, SaysThatAStreamCannotBeWritten) {
+  std::ostringstream out;
+  out.setstate(std::ios::badbit);
+  ByteSink sink(out);
+  sink.text("x");
+  EXPECT_THROW(sink.flush(), OutputError);
+}
+
+}  // namespace
+}  // namespace orthoball

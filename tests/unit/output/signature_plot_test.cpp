@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "orthoball/output/signature_plot.h"
+
+#include <gtest/gtest.h>
+
+#include "unit/output/shapes.h"
+
+namespace orthoball {
+namespace {
+
+template <int D>
+std::string plot(const Shapes<D>& shapes, PlotOptions options) {
+  SignaturePlot<D> picture(shapes.filtration, std::move(options));
+  scan_signatures<D>(shapes.filtration, [&](const Signature<D>& s) { picture.add(s); });
+  return written([&](ByteSink& s) { picture.write(s); });
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+TEST(SignaturePlot, HasAPanelForEveryBettiNumberAndMeasure) {
+  const std::string space = plot(mixed_shapes(), {});
+  EXPECT_EQ(count(space, "class=\"curve\""), 8U);
+  for (const char* const title : {"betti 0", "betti 1", "betti 2", "Volume", "Surface area",
+                                  "Length", "alpha (input unit)"}) {
+    EXPECT_NE(space.find(title), std::string::npos) << title;
+  }
+  const std::string plane = plot(Shapes<2>({0, 0, 1, 0, 0, 1}), {});
+  EXPECT_EQ(count(plane, "class=\"curve\""), 6U);
+  EXPECT_EQ(plane.find("Length"), std::string::npos);
+}
+
+TEST(SignaturePlot, ExplainsTheLettersOfMarksInTheRangeOnly) {
+  const PlotOptions options{.title = "a & b",
+                            .subtitle = "",
+                            .unit = std::string("Å"),
+                            .range = std::pair(0.0, 2.0),
+                            .marks = {{"solid", 2, 1.0}, {"far", 3, 100.0}}};
+  const std::string svg = plot(mixed_shapes(), options);
+  EXPECT_NE(svg.find(">A solid (1)<"), std::string::npos);
+  EXPECT_EQ(svg.find("far"), std::string::npos);
+  EXPECT_NE(svg.find(">a &amp; b<"), std::string::npos);
+  EXPECT_NE(svg.find("alpha (Å)"), std::string::npos);
+  EXPECT_NE(svg.find("not shown: 2 to "), std::string::npos);
+}
+
+TEST(SignaturePlot, OfNothingIsAPictureToo) {
+  EXPECT_EQ(count(plot(Shapes<3>({}), {}), "class=\"curve\""), 8U);
+  EXPECT_EQ(count(plot(Shapes<2>({1, 1}), {}), "class=\"curve\""), 6U);
+}
+
+}  // namespace
+}  // namespace orthoball
