@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "cli/alpha_options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <functional>
+#include <limits>
+#include <variant>
+
+#include "cli/alpha_number.h"
+#include "cli/usage_error.h"
+#include "orthoball/filtration/alpha.h"
+#include "orthoball/signatures/notable_alphas.h"
+
+namespace {
+
+template <class Visit>
+auto with_filtration(const Loaded& input, const Visit& visit) {
+  return std::visit(visit, input.shapes.filtration());
+}
+
+std::uint32_t spectrum_size(const Loaded& input) {
+  return with_filtration(input, [](const auto& filtration) { return filtration.spectrum_size(); });
+}
+
+ChosenAlpha alpha_of(const Loaded& input, double alpha2) {
+  const auto index =
+      with_filtration(input, [&](const auto& filtration) { return filtration.index(alpha2); });
+  return {alpha2, orthoball::alpha_from_alpha2(alpha2), index, {}};
+}
+
+// Calls `use` with the parts of a list between commas.
+void for_each(const std::string& list, const std::function<void(const std::string&)>& use) {
+  if (list.empty()) return;
+  for (const std::string& text : CLI::detail::split(list, ',')) use(text);
+}
+
+std::uint32_t index_from_text(const std::string& text, std::uint32_t size) {
+  std::uint32_t index = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, index);
+  if (error != std::errc() || stop != end || index > size) {
+    throw UsageError(
+        fmt::format("--index: \"{}\" is not an index of the spectrum; it must be an "
+                    "integer from 0 to {}",
+                    text.substr(0, 40), size));
+  }
+  return index;
+}
+
+}  // namespace
+
+void add_alpha_options(CLI::App& command, AlphaOptions& options, bool takes_list,
+                       const std::string& otherwise) {
+  const std::string group = "Alpha";
+  const std::string type = takes_list ? "X[,X...]" : "X";
+  auto* const alpha2 = command
+                           .add_option("--alpha2", options.alpha2,
+                                       std::string("signed squared radius [length^2]") +
+                                           (takes_list ? "" : ", or auto: see below") +
+                                           "\n(default: " + otherwise + ")")
+                           ->type_name(takes_list ? type : "X|auto")
+                           ->group(group);
+  auto* const alpha = command
+                          .add_option("--alpha", options.alpha,
+                                      "signed radius [length]: alpha2 = X|X|, rounded once")
+                          ->type_name(type)
+                          ->excludes(alpha2)
+                          ->group(group);
+  auto* const inverse = command
+                            .add_option("--inverse-alpha", options.inverse_alpha,
+                                        "1/radius [1/length], as some Python packages call alpha")
+                            ->type_name(type)
+                            ->excludes(alpha2)
+                            ->excludes(alpha)
+                            ->group(group);
+  command
+      .add_option("--index", options.index, "index of the spectrum, from 1; 0 is the empty complex")
+      ->type_name(takes_list ? "I[,I...]" : "I")
+      ->excludes(alpha2)
+      ->excludes(alpha)
+      ->excludes(inverse)
+      ->group(group);
+}
+
+ChosenAlpha alpha_at(const Loaded& input, std::uint32_t index) {
+  const double alpha2 =
+      index == 0 ? -std::numeric_limits<double>::infinity()
+                 : with_filtration(input, [&](const auto& f) { return f.alpha2(index); });
+  return {alpha2, orthoball::alpha_from_alpha2(alpha2), index, {}};
+}
+
+ChosenAlpha automatic_alpha(const Loaded& input) {
+  const auto meaning = input.reading.is_molecule ? orthoball::WeightMeaning::molecule_radii
+                       : input.shapes.points().weight_kind() == orthoball::WeightKind::none
+                           ? orthoball::WeightMeaning::none
+                           : orthoball::WeightMeaning::given;
+  const orthoball::NotableAlpha taken = with_filtration(input, [&](const auto& filtration) {
+    return orthoball::automatic_alpha(filtration, orthoball::notable_alphas(filtration), meaning);
+  });
+  return {taken.alpha2, taken.alpha, taken.index.value_or(0),
+          fmt::format("alpha2 auto: {}, {}", taken.name, taken.reason)};
+}
+
+void check(const AlphaOptions& options) {
+  for_each(options.alpha2, [](const std::string& text) {
+    if (text != "auto") (void)alpha2_from_text("--alpha2", text);
+  });
+  for_each(options.alpha,
+           [](const std::string& text) { (void)alpha2_from_alpha("--alpha", text); });
+  for_each(options.inverse_alpha, [](const std::string& text) {
+    (void)alpha2_from_inverse_alpha("--inverse-alpha", text);
+  });
+  for_each(options.index, [](const std::string& text) {
+    (void)index_from_text(text, std::numeric_limits<std::uint32_t>::max());
+  });
+}
+
+std::vector<ChosenAlpha> chosen_alphas(const AlphaOptions& options, const Loaded& input) {
+  std::vector<ChosenAlpha> chosen;
+  for_each(options.alpha2, [&](const std::string& text) {
+    chosen.push_back(text == "auto" ? automatic_alpha(input)
+                                    : alpha_of(input, alpha2_from_text("--alpha2", text)));
+  });
+  for_each(options.alpha, [&](const std::string& text) {
+    chosen.push_back(alpha_of(input, alpha2_from_alpha("--alpha", text)));
+    chosen.back().alpha = alpha2_from_text("--alpha", text);
+  });
+  for_each(options.inverse_alpha, [&](const std::string& text) {
+    chosen.push_back(alpha_of(input, alpha2_from_inverse_alpha("--inverse-alpha", text)));
+  });
+  for_each(options.index, [&](const std::string& text) {
+    chosen.push_back(alpha_at(input, index_from_text(text, spectrum_size(input))));
+  });
+  return chosen;
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+// One function a command, each in commands/NAME.cpp: declares its options and what it runs.
+
+void add_summary_command(CLI::App& app);
+void add_signatures_command(CLI::App& app);
+void add_shape_command(CLI::App& app);
+void add_filter_command(CLI::App& app);

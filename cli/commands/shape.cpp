@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <variant>
+
+#include "cli/alpha_options.h"
+#include "cli/commands.h"
+#include "cli/input_options.h"
+#include "cli/output_file.h"
+#include "cli/usage_error.h"
+#include "orthoball/output/mesh.h"
+#include "orthoball/output/planar_shape.h"
+#include "orthoball/output/shape_mesh.h"
+
+namespace {
+
+struct ShapeOptions {
+  InputOptions input;
+  AlphaOptions alpha;
+  std::string output = "-";
+  std::string format;  // empty: from the name of the output
+  bool regularized = false;
+  bool roles = false;
+  bool json = false;
+};
+
+bool is_planar(const std::string& format) { return format == "geojson" || format == "svg"; }
+
+std::string format_of(const ShapeOptions& options) {
+  const std::string ending = ending_of(options.output);
+  const std::string format = !options.format.empty() ? options.format
+                             : ending == "json"      ? "geojson"
+                                                     : ending;
+  if (is_planar(format) || orthoball::mesh_format(format)) return format;
+  if (options.output == "-") {
+    throw UsageError(
+        "shape: standard output needs --format ply, obj, off, stl, vtu, glb, geojson "
+        "or svg");
+  }
+  throw UsageError(
+      fmt::format("-o {}: the name does not tell the format; it must end in .ply, "
+                  ".obj, .off, .stl, .vtu, .glb, .geojson or .svg, or --format must "
+                  "be given",
+                  options.output));
+}
+
+void check_dimension(const std::string& format, int dimension) {
+  if (dimension == 3 && is_planar(format)) {
+    throw UsageError(
+        fmt::format("{} is for points in the plane; points in space go into ply, obj, "
+                    "off, stl, vtu or glb",
+                    format));
+  }
+  if (dimension == 2 && (format == "off" || format == "stl")) {
+    throw UsageError(
+        fmt::format("{} holds triangles only; the boundary of a plane shape goes into "
+                    "geojson, svg, ply, obj, vtu or glb",
+                    format));
+  }
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  const bool is_vertex = noun.ends_with("vertex");
+  if (count == 1) return "1 " + noun;
+  return fmt::format("{} {}", count,
+                     is_vertex ? noun.substr(0, noun.size() - 2) + "ices" : noun + "s");
+}
+
+void report(const ShapeOptions& options, const ChosenAlpha& alpha, const orthoball::ShapeMesh& mesh,
+            const std::string& format) {
+  const auto regular = [](const std::vector<orthoball::Role>& roles) {
+    return static_cast<std::size_t>(
+        std::count(roles.begin(), roles.end(), orthoball::Role::regular));
+  };
+  const std::size_t regular_triangles = regular(mesh.triangle_roles);
+  const std::size_t singular_triangles = mesh.triangles.size() - regular_triangles;
+  const std::size_t regular_edges = regular(mesh.edge_roles);
+  const std::size_t singular_edges = mesh.edges.size() - regular_edges;
+  const std::size_t isolated = mesh.isolated.size();
+  if (options.json) {
+    nlohmann::ordered_json json{
+        {"file", options.output},         {"format", format},
+        {"index", alpha.index},           {"alpha2", alpha.alpha2},
+        {"alpha", alpha.alpha},           {"regularized", options.regularized},
+        {"vertices", mesh.vertex_count()}};
+    json["regular"] = mesh.dimension == 3 ? regular_triangles : regular_edges;
+    json["singular"] = mesh.dimension == 3
+                           ? nlohmann::ordered_json{isolated, singular_edges, singular_triangles}
+                           : nlohmann::ordered_json{isolated, singular_edges};
+    const std::string text = json.dump() + "\n";
+    write_output("-", "", [&](orthoball::ByteSink& sink) {
+      sink.text(text);
+      sink.flush();
+    });
+    return;
+  }
+  std::string contents = mesh.dimension == 3 ? counted(regular_triangles, "regular triangle")
+                                             : counted(regular_edges, "regular edge");
+  if (!options.regularized) {
+    if (mesh.dimension == 3) contents += ", " + counted(singular_triangles, "singular triangle");
+    contents += ", " + counted(singular_edges, "singular edge") + ", " +
+                counted(isolated, "singular vertex");
+  }
+  say(options.input, fmt::format("alpha2 {}, alpha {}, index {}: {}", alpha.alpha2, alpha.alpha,
+                                 alpha.index, contents));
+  const auto mesh_format = orthoball::mesh_format(format);
+  if (mesh_format && !orthoball::holds_edges(*mesh_format) && singular_edges + isolated > 0) {
+    say(options.input, fmt::format("warning: {} holds triangles only; {} and {} are left out",
+                                   format, counted(singular_edges, "singular edge"),
+                                   counted(isolated, "singular vertex")));
+  }
+  if (contents.find_first_of("123456789") == std::string::npos) {
+    say(options.input, "warning: the shape has no boundary at this alpha; the file has none");
+  }
+}
+
+void run(const ShapeOptions& options) {
+  const std::string format = format_of(options);
+  if (options.json && options.output == "-") {
+    throw UsageError("shape --json: the report goes to standard output; the shape needs -o FILE");
+  }
+  check(options.alpha);
+  Progress progress(options.input.progress, options.input.quiet);
+  const Loaded input = load(options.input, progress);
+  check_dimension(format, input.shapes.dimension());
+  const auto given = chosen_alphas(options.alpha, input);
+  const ChosenAlpha alpha = given.empty() ? automatic_alpha(input) : given[0];
+  if (!alpha.how.empty()) say(options.input, alpha.how);
+
+  progress.begin("writing");
+  const orthoball::ShapeMesh mesh = std::visit(
+      [&](const auto& filtration) {
+        return shape_mesh(filtration, input.shapes.points(), alpha.index, options.regularized);
+      },
+      input.shapes.filtration());
+  write_output(options.output, "null", [&](orthoball::ByteSink& sink) {
+    if (const auto mesh_format = orthoball::mesh_format(format)) {
+      return write_mesh(sink, mesh, {*mesh_format, options.roles, alpha.alpha2});
+    }
+    const auto& plane = std::get<orthoball::Filtration<2>>(input.shapes.filtration());
+    const orthoball::PlanarShapeOptions planar{alpha.index, alpha.alpha2, options.regularized,
+                                               options.roles};
+    if (format == "geojson") write_geojson(sink, plane, input.shapes.points(), planar);
+    if (format == "svg") write_shape_svg(sink, plane, input.shapes.points(), planar);
+  });
+  progress.end();
+  report(options, alpha, mesh, format);
+}
+
+}  // namespace
+
+void add_shape_command(CLI::App& app) {
+  auto options = std::make_shared<ShapeOptions>();
+  CLI::App* command =
+      app.add_subcommand("shape", "The boundary of the shape at one alpha as a mesh or a map.");
+  add_alpha_options(*command, options->alpha, false, "auto");
+  const std::string group = "Output";
+  command->add_option("-o,--output", options->output, "file, or - for standard output")
+      ->type_name("FILE")
+      ->capture_default_str()
+      ->group(group);
+  command
+      ->add_option("--format", options->format,
+                   "ply, obj, off, stl, vtu or glb; in the plane also geojson or svg\n"
+                   "(default: by the name of -o)")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"ply", "obj", "off", "stl", "vtu", "glb", "geojson", "svg"})
+                  .description(""))
+      ->group(group);
+  command
+      ->add_flag("--regularized", options->regularized,
+                 "without singular simplices: the boundary of the solid part only")
+      ->group(group);
+  command
+      ->add_flag("--roles", options->roles,
+                 "mark every simplex as singular or regular: a property (ply, vtu),\n"
+                 "a group (obj) or a colour (off, glb, svg); geojson always does")
+      ->group(group);
+  command->add_flag("--json", options->json, "a report on standard output as JSON")->group(group);
+  add_input_options(*command, options->input);
+  command->footer(
+      "Regular triangles turn counterclockwise seen from outside. Singular triangles, edges and\n"
+      "vertices, parts of the shape that bound no tetrahedron, are kept where the format can hold\n"
+      "them: stl and off hold triangles only. Coordinates are those of INPUT; stl and glb round\n"
+      "them to 24 bits. ply and vtu name the input row of every vertex.\n\n"
+      "--alpha2 auto: 0 where weights are the radii of a molecule (the dual complex of its\n"
+      "atoms); without weights the first alpha2 at which the shape is one solid piece with every\n"
+      "point; else the first from which on it is one piece. Which was taken is said.\n\n"
+      "Examples:\n"
+      "  orthoball shape bunny.off -o surface.ply\n"
+      "  orthoball shape 1ubq.pdb --alpha 1.4 -o ubiquitin.glb --roles\n"
+      "  orthoball shape airports.csv --alpha2 auto -o outline.geojson");
+  command->callback([options] { run(*options); });
+}

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "cli/alpha_number.h"
+#include "cli/alpha_options.h"
+#include "cli/commands.h"
+#include "cli/input_options.h"
+#include "cli/output_file.h"
+#include "cli/usage_error.h"
+#include "orthoball/filtration/alpha.h"
+#include "orthoball/output/signature_plot.h"
+#include "orthoball/output/tables.h"
+#include "orthoball/signatures/notable_alphas.h"
+#include "orthoball/signatures/signature.h"
+
+namespace {
+
+struct SignaturesOptions {
+  InputOptions input;
+  AlphaOptions alpha;
+  std::optional<std::uint32_t> samples;
+  std::string output = "-";
+  std::string format;  // csv, json, npz; empty: from the name of the output
+  bool json = false;
+  std::string plot;
+  std::string plot_axis = "alpha";
+  std::string plot_range;
+};
+
+std::string format_of(const SignaturesOptions& options) {
+  if (options.json) return "json";
+  if (!options.format.empty()) return options.format;
+  const std::string ending = ending_of(options.output);
+  return ending == "npz" || ending == "json" ? ending : "csv";
+}
+
+// Rows one by one in the format of the table; an archive needs them all.
+template <int D>
+class Table {
+ public:
+  Table(orthoball::ByteSink& sink, std::string format) : sink_(sink), format_(std::move(format)) {
+    if (format_ == "csv") orthoball::write_signature_head_csv<D>(sink_);
+    if (format_ == "json") sink_.text("[");
+  }
+  void add(const orthoball::SignatureRow<D>& row) {
+    if (format_ == "npz") rows_.push_back(row);
+    if (format_ == "csv") orthoball::write_signature_csv(sink_, row);
+    if (format_ != "json") return;
+    sink_.text(is_first_ ? "\n" : ",\n");
+    is_first_ = false;
+    orthoball::write_signature_json(sink_, row);
+  }
+  void end() {
+    if (format_ == "npz") return orthoball::write_signatures_npz(sink_, rows_);
+    if (format_ == "json") sink_.text("\n]\n");
+    sink_.flush();
+  }
+
+ private:
+  orthoball::ByteSink& sink_;
+  std::string format_;
+  bool is_first_ = true;
+  std::vector<orthoball::SignatureRow<D>> rows_;
+};
+
+// The values asked for: from the options, or N indices spread evenly over the spectrum with both
+// ends. None: every index.
+std::vector<ChosenAlpha> asked_for(const SignaturesOptions& options, const Loaded& input,
+                                   std::uint32_t spectrum_size) {
+  std::vector<ChosenAlpha> asked = chosen_alphas(options.alpha, input);
+  if (!options.samples) return asked;
+  const std::uint32_t count = std::min(*options.samples, spectrum_size);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint64_t index =
+        count == 1 ? spectrum_size
+                   : 1 + (std::uint64_t{i} * (spectrum_size - 1) + (count - 1) / 2) / (count - 1);
+    asked.push_back(alpha_at(input, static_cast<std::uint32_t>(index)));
+  }
+  return asked;
+}
+
+std::optional<std::pair<double, double>> range_from_text(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto ends = CLI::detail::split(text, ',');
+  if (ends.size() != 2) throw UsageError("--plot-range: two numbers FROM,TO are needed");
+  const std::pair range(alpha2_from_text("--plot-range", ends[0]),
+                        alpha2_from_text("--plot-range", ends[1]));
+  if (range.first >= range.second) throw UsageError("--plot-range: FROM must be less than TO");
+  return range;
+}
+
+orthoball::PlotOptions plot_options(const SignaturesOptions& options, const Loaded& input) {
+  orthoball::PlotOptions plot;
+  plot.title = options.input.path == "-"
+                   ? "standard input"
+                   : options.input.path.substr(options.input.path.find_last_of('/') + 1);
+  plot.subtitle = fmt::format("{} sites, weights: {}", input.shapes.points().size(),
+                              input.shapes.points().weight_kind() == orthoball::WeightKind::none
+                                  ? "none"
+                                  : input.reading.radii);
+  plot.unit = input.unit();
+  plot.axis = options.plot_axis == "alpha2"  ? orthoball::PlotAxis::alpha2
+              : options.plot_axis == "index" ? orthoball::PlotAxis::index
+                                             : orthoball::PlotAxis::alpha;
+  plot.range = range_from_text(options.plot_range);
+  return plot;
+}
+
+template <int D>
+void write_plot(const SignaturesOptions& options, const Loaded& input,
+                const orthoball::Filtration<D>& filtration) {
+  orthoball::PlotOptions plot = plot_options(options, input);
+  for (const auto& notable : orthoball::notable_alphas(filtration)) {
+    if (notable.index) plot.marks.push_back({notable.name, *notable.index, notable.alpha2});
+  }
+  orthoball::SignaturePlot<D> picture(filtration, std::move(plot));
+  orthoball::scan_signatures<D>(filtration,
+                                [&](const orthoball::Signature<D>& s) { picture.add(s); });
+  write_output(options.plot, "0", [&](orthoball::ByteSink& sink) { picture.write(sink); });
+}
+
+template <int D>
+void write_table(const SignaturesOptions& options, const Loaded& input,
+                 const orthoball::Filtration<D>& filtration) {
+  const bool is_complete = !options.alpha.is_given() && !options.samples;
+  const std::vector<ChosenAlpha> asked = asked_for(options, input, filtration.spectrum_size());
+  const std::string format = format_of(options);
+  const std::size_t missing =
+      write_output(options.output, format == "json" ? "null" : "", [&](orthoball::ByteSink& sink) {
+        Table<D> table(sink, format);
+        if (is_complete) {
+          orthoball::scan_signatures<D>(filtration, [&](const orthoball::Signature<D>& s) {
+            table.add({s, orthoball::alpha_from_alpha2(s.alpha2)});
+          });
+        } else {
+          std::vector<std::uint32_t> indices;
+          for (const ChosenAlpha& alpha : asked) indices.push_back(alpha.index);
+          auto signatures = orthoball::signatures<D>(filtration, indices);
+          for (std::size_t i = 0; i < asked.size(); ++i) {
+            signatures[i].alpha2 = asked[i].alpha2;
+            table.add({signatures[i], asked[i].alpha});
+          }
+        }
+        table.end();
+      });
+  warn_of_missing(options.input, missing, format == "json" ? "null" : "an empty field");
+}
+
+void run(const SignaturesOptions& options) {
+  if (options.samples && options.alpha.is_given()) {
+    throw UsageError(
+        "--samples spreads values over the spectrum; it excludes --alpha2, --alpha, "
+        "--inverse-alpha and --index");
+  }
+  if (!options.plot.empty() && options.plot == options.output) {
+    throw UsageError("--plot and -o name the same file; table and plot need one each");
+  }
+  check(options.alpha);
+  (void)range_from_text(options.plot_range);
+  Progress progress(options.input.progress, options.input.quiet);
+  const Loaded input = load(options.input, progress);
+  progress.begin("signatures");
+  std::visit(
+      [&](const auto& filtration) {
+        if (!options.plot.empty()) write_plot(options, input, filtration);
+        write_table(options, input, filtration);
+      },
+      input.shapes.filtration());
+  progress.end();
+}
+
+void add_output_options(CLI::App& command, SignaturesOptions& options) {
+  const std::string group = "Output";
+  command.add_option("-o,--output", options.output, "file, or - for standard output")
+      ->type_name("FILE")
+      ->capture_default_str()
+      ->group(group);
+  auto* const format = command
+                           .add_option("--format", options.format,
+                                       "csv, json or npz (NumPy)\n"
+                                       "(default: by the name of -o, else csv)")
+                           ->type_name("NAME")
+                           ->check(CLI::IsMember({"csv", "json", "npz"}).description(""))
+                           ->group(group);
+  command.add_flag("--json", options.json, "the same as --format json")
+      ->excludes(format)
+      ->group(group);
+  command.add_option("--plot", options.plot, "also draw all signatures as SVG into this file")
+      ->type_name("FILE")
+      ->group(group);
+  command
+      .add_option("--plot-axis", options.plot_axis,
+                  "what runs along the plot: alpha, alpha2 or index")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"alpha", "alpha2", "index"}).description(""))
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--plot-range", options.plot_range,
+                  "ends of that axis (default: where the topology changes)")
+      ->type_name("FROM,TO")
+      ->group(group);
+}
+
+}  // namespace
+
+void add_signatures_command(CLI::App& app) {
+  auto options = std::make_shared<SignaturesOptions>();
+  CLI::App* command = app.add_subcommand(
+      "signatures",
+      "Betti numbers, counts by role, volume, area and length as functions of alpha.");
+  add_alpha_options(*command, options->alpha, true, "every index of the spectrum");
+  command
+      ->add_option("--samples", options->samples,
+                   "N indices spread evenly over the spectrum, with both ends")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber.description(""))
+      ->group("Alpha");
+  add_output_options(*command, *options);
+  add_input_options(*command, options->input);
+  command->footer(
+      "Columns: index; alpha2 [length^2]; alpha [length]; betti_0.. (components, tunnels, voids);\n"
+      "euler; exterior_k, singular_k, regular_k, interior_k: simplices of dimension k by role;\n"
+      "volume [length^3]; area_singular, area_regular, one-sided, and area, two-sided [length^2];\n"
+      "length [length]: 4 pi times the mean width. In the plane volume is the area of the\n"
+      "triangles, area the two-sided perimeter, and length is empty. An alpha2 counts as\n"
+      "reached: the complex at the index of the last entry that is not greater.\n\n"
+      "Examples:\n"
+      "  orthoball signatures 1ubq.pdb -o ubiquitin.csv --plot ubiquitin.svg\n"
+      "  orthoball signatures points.csv --alpha2 0.5,1,2 --json\n"
+      "  orthoball signatures bunny.off --samples 200 -o bunny.npz");
+  command->callback([options] { run(*options); });
+}

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cli/alpha_options.h"
+#include "cli/commands.h"
+#include "cli/input_options.h"
+#include "cli/output_file.h"
+#include "orthoball/signatures/notable_alphas.h"
+#include "orthoball/signatures/signature.h"
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct SummaryOptions {
+  InputOptions input;
+  AlphaOptions alpha;
+  std::string output = "-";
+  std::string format = "text";
+  bool json = false;
+};
+
+// What both forms of the report say.
+template <int D>
+struct Facts {
+  std::vector<std::uint32_t> simplices, attached;  // by dimension
+  orthoball::Signature<D> hull;                    // of the last index
+  std::vector<orthoball::NotableAlpha> notable;
+  std::vector<ChosenAlpha> asked;
+  std::vector<orthoball::Signature<D>> at;  // one for each that was asked for
+};
+
+template <int D>
+Facts<D> facts(const orthoball::Filtration<D>& filtration, std::vector<ChosenAlpha> asked) {
+  Facts<D> facts;
+  for (int d = 0; d <= D; ++d) {
+    const std::uint32_t first = filtration.table().first(d);
+    std::uint32_t attached = 0;
+    for (std::uint32_t i = 0; i < filtration.count(d); ++i) {
+      if (filtration.is_attached(orthoball::SimplexId(first + i))) ++attached;
+    }
+    facts.simplices.push_back(static_cast<std::uint32_t>(filtration.count(d)));
+    facts.attached.push_back(attached);
+  }
+  std::vector<std::uint32_t> indices{filtration.spectrum_size()};
+  for (const ChosenAlpha& alpha : asked) indices.push_back(alpha.index);
+  facts.at = orthoball::signatures<D>(filtration, indices);
+  facts.hull = facts.at.front();
+  facts.at.erase(facts.at.begin());
+  for (std::size_t i = 0; i < asked.size(); ++i) facts.at[i].alpha2 = asked[i].alpha2;
+  facts.asked = std::move(asked);
+  facts.notable = orthoball::notable_alphas(filtration);
+  return facts;
+}
+
+// A number that JSON can hold; counts the others.
+Json finite(double number, std::size_t& missing) {
+  if (std::isfinite(number)) return number + 0.0;
+  ++missing;
+  return nullptr;
+}
+
+template <int D>
+Json json_report(const Loaded& input, const orthoball::Filtration<D>& filtration,
+                 const Facts<D>& facts, std::size_t& missing) {
+  const auto& points = input.shapes.points();
+  const auto& triangulation = filtration.triangulation();
+  const std::uint32_t size = filtration.spectrum_size();
+  const auto number = [&](double x) { return finite(x, missing); };
+  Json json;
+  json["input"] = {{"file", input.reading.file},
+                   {"format", input.reading.format},
+                   {"sites", points.size()},
+                   {"decimals", points.decimals() ? Json(*points.decimals()) : Json()},
+                   {"radii", input.reading.radii},
+                   {"notes", input.reading.notes}};
+  json["dimension"] = D;
+  json["affine_dimension"] = triangulation.affine_dimension();
+  json["distinct_sites"] = triangulation.distinct_site_count();
+  json["hidden"] = Json::array();
+  for (const orthoball::SiteId row : triangulation.hidden()) json["hidden"].push_back(row.row());
+  json["duplicates"] = Json::array();
+  for (const orthoball::Duplicate& d : triangulation.duplicates()) {
+    json["duplicates"].push_back({d.row.row(), d.representative.row()});
+  }
+  json["simplices"] = facts.simplices;
+  json["attached"] = facts.attached;
+  json["spectrum_size"] = size;
+  json["alpha2_min"] = size == 0 ? Json() : number(filtration.alpha2(1));
+  json["alpha2_max"] = size == 0 ? Json() : number(filtration.alpha2(size));
+  json["hull_volume"] = number(facts.hull.volume);
+  json["hull_area"] = number(facts.hull.area);
+  json["notable"] = Json::array();
+  for (const orthoball::NotableAlpha& notable : facts.notable) {
+    Json entry{{"name", notable.name}, {"reason", notable.reason}};
+    entry["index"] = notable.index ? Json(*notable.index) : Json();
+    entry["alpha2"] = notable.index ? number(notable.alpha2) : Json();
+    entry["alpha"] = notable.index ? number(notable.alpha) : Json();
+    json["notable"].push_back(std::move(entry));
+  }
+  if (facts.at.empty()) return json;
+  json["at"] = Json::array();
+  for (std::size_t i = 0; i < facts.at.size(); ++i) {
+    const auto& s = facts.at[i];
+    json["at"].push_back({{"index", s.index},
+                          {"alpha2", number(s.alpha2)},
+                          {"alpha", number(facts.asked[i].alpha)},
+                          {"betti", s.betti},
+                          {"euler", s.euler},
+                          {"volume", number(s.volume)},
+                          {"area", number(s.area)},
+                          {"length", D == 3 ? number(s.length) : Json()}});
+  }
+  return json;
+}
+
+// One key a line; of an array of objects one object.
+std::string json_text(const Json& json) {
+  const auto compact = [](const Json& value) {
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  };
+  std::vector<std::string> lines;
+  for (const auto& [key, value] : json.items()) {
+    std::string text = compact(value);
+    if (value.is_array() && !value.empty() && value[0].is_object()) {
+      std::vector<std::string> objects;
+      for (const Json& object : value) objects.push_back(compact(object));
+      text = fmt::format("[\n    {}\n  ]", fmt::join(objects, ",\n    "));
+    }
+    lines.push_back(fmt::format("  {}: {}", compact(key), text));
+  }
+  return fmt::format("{{\n{}\n}}\n", fmt::join(lines, ",\n"));
+}
+
+std::string line(const std::string& label, const std::string& text) {
+  return fmt::format("{:<17}{}\n", label, text);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string number_text(double number) {
+  return std::isfinite(number) ? fmt::format("{}", number + 0.0) : "beyond the double range";
+}
+
+// 7 of the rows at most, and how many there are.
+template <class Rows, class Write>
+std::string rows_text(const Rows& rows, const Write& write) {
+  constexpr std::size_t kShown = 7;
+  if (rows.empty()) return "none";
+  std::vector<std::string> shown;
+  for (std::size_t i = 0; i < std::min(rows.size(), kShown); ++i) shown.push_back(write(rows[i]));
+  return fmt::format("{} (row{} {}{})", rows.size(), rows.size() == 1 ? "" : "s", joined(shown),
+                     rows.size() > kShown ? ", ..." : "");
+}
+
+template <int D>
+std::string simplices_text(const Facts<D>& facts) {
+  const std::vector<std::string> nouns{"vertices", "edges", "triangles", "tetrahedra"};
+  std::vector<std::string> words;
+  for (std::size_t d = 0; d <= D; ++d) {
+    words.push_back(fmt::format("{} {}", facts.simplices[d], nouns[d]));
+  }
+  return joined(words);
+}
+
+template <int D>
+std::string attached_text(const Facts<D>& facts) {
+  std::vector<std::string> words;
+  const std::vector<std::string> nouns{"vertices", "edges", "triangles"};
+  for (std::size_t d = 0; d < D; ++d) {
+    words.push_back(fmt::format("{} {}", facts.attached[d], nouns[d]));
+  }
+  return joined(words);
+}
+
+std::string notable_text(const std::vector<orthoball::NotableAlpha>& notables) {
+  std::string text = fmt::format("\n{:<23}{:>22} {:>22} {:>9}  {}\n", "notable alphas", "alpha2",
+                                 "alpha", "index", "why");
+  for (const orthoball::NotableAlpha& notable : notables) {
+    const auto shown = [&](double x) { return notable.index ? number_text(x) : "-"; };
+    text += fmt::format("  {:<21}{:>22} {:>22} {:>9}  {}\n", notable.name, shown(notable.alpha2),
+                        shown(notable.alpha), notable.index ? std::to_string(*notable.index) : "-",
+                        notable.reason);
+  }
+  return text;
+}
+
+template <int D>
+std::string at_text(const Facts<D>& facts, const std::string& area_unit,
+                    const std::string& volume_unit) {
+  const std::vector<std::string> names{"components", D == 3 ? "tunnels" : "holes", "voids"};
+  std::string text;
+  for (std::size_t i = 0; i < facts.at.size(); ++i) {
+    const auto& s = facts.at[i];
+    std::vector<std::string> words;
+    for (std::size_t k = 0; k < D; ++k) words.push_back(fmt::format("{} {}", s.betti[k], names[k]));
+    text += fmt::format("\nat alpha2 {}, alpha {}, index {}\n", number_text(s.alpha2),
+                        number_text(facts.asked[i].alpha), s.index);
+    text += line("  betti", joined(words));
+    text += line(D == 3 ? "  volume" : "  area", number_text(s.volume) + volume_unit);
+    text +=
+        line(D == 3 ? "  area" : "  perimeter", number_text(s.area) + area_unit + ", two-sided");
+  }
+  return text;
+}
+
+template <int D>
+std::string text_report(const Loaded& input, const orthoball::Filtration<D>& filtration,
+                        const Facts<D>& facts) {
+  const auto& points = input.shapes.points();
+  const auto& triangulation = filtration.triangulation();
+  const std::uint32_t size = filtration.spectrum_size();
+  const auto unit = [&](const char* power) {
+    return input.reading.is_molecule ? " Å" + std::string(power) : "";
+  };
+  const std::string area_unit = unit(D == 3 ? "²" : ""), volume_unit = unit(D == 3 ? "³" : "²");
+
+  std::string text = line("input", input.reading.file + " (" + input.reading.format + ")");
+  text += line("sites", fmt::format("{} in {}", points.size(), D == 3 ? "space" : "the plane"));
+  text += line("numbers", points.decimals() ? fmt::format("exact decimals, {} after the point",
+                                                          *points.decimals())
+                                            : std::string("doubles"));
+  text += line("radii", input.reading.radii);
+  for (const std::string& note : input.reading.notes) text += line("note", note);
+  constexpr const char* kSpans[] = {"none", "a point", "a line", "a plane", "space"};
+  if (triangulation.affine_dimension() < D) {
+    text += line("the sites span", kSpans[triangulation.affine_dimension() + 1]);
+  }
+  text += line("distinct sites", fmt::format("{}", triangulation.distinct_site_count()));
+  text += line("duplicates", rows_text(triangulation.duplicates(), [](const auto& d) {
+                 return fmt::format("{} = {}", d.row.row(), d.representative.row());
+               }));
+  text += line("hidden", rows_text(triangulation.hidden(),
+                                   [](auto row) { return std::to_string(row.row()); }));
+  text += line("simplices", simplices_text(facts));
+  text += line("attached", attached_text(facts));
+  text +=
+      line("spectrum", size == 0 ? std::string("empty: there are no sites")
+                                 : fmt::format("{} distinct alpha2 from {} to {}{}", size,
+                                               number_text(filtration.alpha2(1)),
+                                               number_text(filtration.alpha2(size)), unit("²")));
+  text += line(D == 3 ? "hull volume" : "hull area", number_text(facts.hull.volume) + volume_unit);
+  text += line(D == 3 ? "hull area" : "hull perimeter",
+               number_text(facts.hull.area) + area_unit +
+                   (triangulation.affine_dimension() < D ? ", two-sided" : ""));
+  if (size > 0) text += notable_text(facts.notable);
+  return text + at_text(facts, area_unit, volume_unit);
+}
+
+void run(const SummaryOptions& options) {
+  check(options.alpha);
+  Progress progress(options.input.progress, options.input.quiet);
+  const Loaded input = load(options.input, progress, false);
+  progress.begin("signatures");
+  std::size_t missing = 0;
+  const bool is_json = options.json || options.format == "json";
+  const std::string report = std::visit(
+      [&]<int D>(const orthoball::Filtration<D>& filtration) {
+        const Facts<D> known = facts(filtration, chosen_alphas(options.alpha, input));
+        if (!is_json) return text_report(input, filtration, known);
+        return json_text(json_report(input, filtration, known, missing));
+      },
+      input.shapes.filtration());
+  progress.end();
+  write_output(options.output, "", [&](orthoball::ByteSink& sink) {
+    sink.text(report);
+    sink.flush();
+  });
+  warn_of_missing(options.input, missing, "null");
+}
+
+}  // namespace
+
+void add_summary_command(CLI::App& app) {
+  auto options = std::make_shared<SummaryOptions>();
+  CLI::App* command = app.add_subcommand(
+      "summary", "What was read, how many simplices there are, and which alphas are notable.");
+  add_alpha_options(*command, options->alpha, true, "none; with it, the shape there is measured");
+  const std::string group = "Output";
+  command->add_option("-o,--output", options->output, "file, or - for standard output")
+      ->type_name("FILE")
+      ->capture_default_str()
+      ->group(group);
+  auto* const format = command->add_option("--format", options->format, "text or json")
+                           ->type_name("NAME")
+                           ->check(CLI::IsMember({"text", "json"}).description(""))
+                           ->capture_default_str()
+                           ->group(group);
+  command->add_flag("--json", options->json, "the same as --format json")
+      ->excludes(format)
+      ->group(group);
+  add_input_options(*command, options->input);
+  command->footer(
+      "Rows count from 0. Hidden sites have an empty power cell: their ball lies inside others;\n"
+      "duplicates are equal to the row they name. Attached simplices enter with a coface.\n\n"
+      "Examples:\n"
+      "  orthoball summary 1crn.cif\n"
+      "  orthoball summary 1ubq.pdb --waters keep --radii protor --json\n"
+      "  orthoball summary trees.csv --columns x,y --radius-column crown");
+  command->callback([options] { run(*options); });
+}

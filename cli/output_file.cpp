@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "cli/output_file.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <utility>
+
+namespace {
+
+// A file of its own beside `path`, empty. Nothing where none can be made; errno says why.
+std::string temporary_beside(const std::filesystem::path& path) {
+  std::string name = (path.parent_path() / ("." + path.filename().string() + ".XXXXXX")).string();
+  const int descriptor = mkstemp(name.data());
+  if (descriptor < 0) return {};
+  close(descriptor);
+  return name;
+}
+
+// mkstemp's files are for the owner only; ours are as any other program's.
+void open_to_others(const std::string& path) {
+  const mode_t mask = umask(0);
+  umask(mask);
+  std::error_code ignored;
+  std::filesystem::permissions(path, static_cast<std::filesystem::perms>(0666 & ~mask), ignored);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(std::string path) : path_(std::move(path)), is_standard_(path_ == "-") {
+  if (is_standard_) return;
+  std::error_code error;
+  const auto status = std::filesystem::status(path_, error);
+  if (std::filesystem::is_directory(status)) {
+    errno = EISDIR;
+    fail("cannot be written");
+  }
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    file_.open(path_, std::ios::binary);
+  } else {
+    // A link's target is replaced, not the link.
+    const auto target = std::filesystem::weakly_canonical(path_, error);
+    if (!error) path_ = target.string();
+    temporary_ = temporary_beside(path_);
+    if (temporary_.empty()) fail("cannot be written");
+    open_to_others(temporary_);
+    file_.open(temporary_, std::ios::binary);
+  }
+  if (!file_) fail("cannot be written");
+}
+
+OutputFile::~OutputFile() {
+  if (!temporary_.empty()) std::remove(temporary_.c_str());
+}
+
+void OutputFile::commit() {
+  errno = 0;
+  stream().flush();
+  if (!is_standard_) file_.close();
+  if (!stream()) fail();
+  if (temporary_.empty()) return;
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot be written");
+  temporary_.clear();
+}
+
+std::ostream& OutputFile::standard() { return std::cout; }
+
+void OutputFile::fail(const std::string& what) const {
+  const int code = errno;
+  throw orthoball::OutputError((is_standard_ ? "standard output" : path_) + ": " + what +
+                               (code == 0 ? "" : ": " + std::string(std::strerror(code))));
+}
+
+std::size_t write_output(const std::string& path, const std::string& missing,
+                         const std::function<void(orthoball::ByteSink&)>& write) {
+  OutputFile file(path);
+  orthoball::ByteSink sink(file.stream(), missing);
+  try {
+    errno = 0;
+    write(sink);
+  } catch (const orthoball::OutputError&) {
+    file.fail();
+  }
+  file.commit();
+  return sink.missing_count();
+}
+
+std::string ending_of(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  if (!ending.empty()) ending.erase(0, 1);
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}

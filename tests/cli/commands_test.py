@@ -1,0 +1,450 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What the program promises to other programs: exit statuses, streams, tables, JSON, files.
+
+Usage: commands_test.py PROGRAM [unittest options], in the source tree.
+"""
+
+import csv
+import fractions
+import io
+import json
+import math
+import os
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zipfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+SAMPLES = ROOT / "examples" / "data"
+MALFORMED = ROOT.parent / "shared" / "data" / "malformed"
+PROGRAM = None
+
+TWO_BALLS = str(SAMPLES / "two_balls.xyzr")
+C60 = str(SAMPLES / "c60.xyz")
+EIGHT = str(SAMPLES / "figure_eight.csv")
+
+
+def orthoball(*arguments, **options):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, check=False,
+                          **{"text": True, **options})
+
+
+class InAFolder(unittest.TestCase):
+    def setUp(self):
+        self.keeper = tempfile.TemporaryDirectory()
+        self.addCleanup(self.keeper.cleanup)
+        self.folder = pathlib.Path(self.keeper.name)
+
+    def file(self, name, text):
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def done(self, *arguments, **options):
+        result = orthoball(*arguments, **options)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result
+
+    def refused(self, status, *arguments, **options):
+        result = orthoball(*arguments, **options)
+        self.assertEqual(result.returncode, status, result.stderr)
+        self.assertEqual(result.stdout, "")
+        self.assertRegex(result.stderr, r"\A(orthoball: .+\n)+\Z")
+        return result.stderr
+
+
+class ExitStatuses(InAFolder):
+    def test_wrong_usage_is_2(self):
+        for arguments in [
+            [],
+            ["no_such_command"],
+            ["summary"],
+            ["summary", C60, "--no-such-option"],
+            ["summary", C60, "--dimension", "4"],
+            ["signatures", C60, "--alpha2", "1", "--alpha", "1"],
+            ["signatures", C60, "--alpha2", "one"],
+            ["signatures", C60, "--alpha2", "inf"],
+            ["signatures", C60, "--alpha", "1e400"],
+            ["signatures", C60, "--alpha", "1e200"],
+            ["signatures", C60, "--inverse-alpha", "0"],
+            ["signatures", C60, "--index", "100000"],
+            ["signatures", C60, "--index", "-1"],
+            ["signatures", C60, "--samples", "0"],
+            ["signatures", C60, "--plot-range", "2,1", "--plot", self.folder / "x.svg"],
+            ["shape", C60],
+            ["shape", C60, "-o", self.folder / "surface"],
+            ["shape", C60, "-o", self.folder / "surface.geojson"],
+            ["shape", EIGHT, "-o", self.folder / "surface.stl"],
+            ["filter", C60, "--format", "xml"],
+            ["summary", "-"],
+        ]:
+            with self.subTest(arguments=arguments):
+                self.refused(2, *arguments)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_bad_data_is_1_and_names_file_and_line(self):
+        path = self.file("points.csv", "x,y,z\n1,2,3\n1,two,3\n")
+        self.assertIn(f"{path}:3: ", self.refused(1, "summary", path))
+        self.assertIn(str(self.folder / "none.csv"), self.refused(1, "summary", self.folder / "none.csv"))
+        empty = self.file("empty.csv", "x,y,z\n")
+        self.assertIn(str(empty), self.refused(1, "summary", empty))
+
+    def test_output_that_cannot_be_written_is_3(self):
+        for output in ["/dev/full", self.folder / "none" / "table.csv", self.folder]:
+            with self.subTest(output=output):
+                self.assertIn(str(output), self.refused(3, "filter", C60, "-o", output))
+
+    def test_standard_output_that_is_full_or_closed_is_3(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            for arguments in [["summary", C60], ["filter", C60], ["--help"]]:
+                result = subprocess.run([PROGRAM, *arguments], stdout=full, stderr=subprocess.PIPE,
+                                        text=True, check=False)
+                self.assertEqual(result.returncode, 3, arguments)
+                self.assertIn("standard output", result.stderr)
+        reader, writer = os.pipe()
+        os.close(reader)
+        result = subprocess.run([PROGRAM, "filter", SAMPLES / "linked_tori.csv"], stdout=writer,
+                                stderr=subprocess.PIPE, text=True, check=False)
+        os.close(writer)
+        self.assertEqual(result.returncode, 3)
+
+    def test_help_and_version_are_data(self):
+        self.assertIn("summary", self.done("--help").stdout)
+        self.assertRegex(self.done("--version").stdout, r"\Aorthoball \d+\.\d+\.\d+\n\Z")
+        for command in ["summary", "signatures", "shape", "filter"]:
+            text = self.done(command, "--help").stdout
+            self.assertIn("--alpha2", text)
+            self.assertIn("Examples:", text)
+
+
+class Files(InAFolder):
+    def test_an_output_appears_whole_or_not_at_all(self):
+        broken = self.file("points.csv", "x,y,z\n1,2,3\n4,5\n")
+        output = self.folder / "out.csv"
+        output.write_text("before")
+        self.refused(1, "filter", broken, "-o", output)
+        self.assertEqual(output.read_text(), "before")
+        self.done("filter", C60, "-o", output)
+        self.assertTrue(output.read_text().startswith("position,"))
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["out.csv", "points.csv"])
+
+    @unittest.skipUnless(MALFORMED.is_dir(), "no ../shared/data/malformed beside the source tree")
+    def test_broken_inputs_leave_no_file(self):
+        for name in ["nan_coord.pdb", "ragged.csv", "ply_no_xyz.ply", "gzip_truncated.pdb.gz"]:
+            self.refused(1, "shape", MALFORMED / name, "-o", self.folder / "out.ply")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_an_unwritable_folder_is_said(self):
+        locked = self.folder / "locked"
+        locked.mkdir()
+        locked.chmod(0o500)
+        self.addCleanup(locked.chmod, 0o700)
+        if os.access(locked, os.W_OK):
+            self.skipTest("this user may write anywhere")
+        self.assertIn("Permission", self.refused(3, "filter", C60, "-o", locked / "out.csv"))
+
+    def test_a_file_has_the_permissions_of_others(self):
+        output = self.folder / "out.csv"
+        self.done("filter", C60, "-o", output, umask=0o022)
+        self.assertEqual(output.stat().st_mode & 0o777, 0o644)
+
+    def test_standard_input_is_read(self):
+        text = pathlib.Path(TWO_BALLS).read_text()
+        result = self.done("filter", "-", "--input-format", "xyzr", input=text)
+        self.assertEqual(result.stdout, self.done("filter", TWO_BALLS).stdout)
+
+    def test_names_with_odd_characters_are_kept(self):
+        path = self.folder / "a \"b\" é\n.xyzr"
+        path.write_text(pathlib.Path(TWO_BALLS).read_text())
+        summary = json.loads(self.done("summary", path, "--json").stdout)
+        self.assertEqual(summary["input"]["file"], str(path))
+
+
+class Streams(InAFolder):
+    def test_words_go_to_standard_error_and_quiet_silences_them(self):
+        self.assertIn("radii: bondi", self.done("filter", C60).stderr)
+        self.assertEqual(self.done("filter", C60, "--quiet").stderr, "")
+        self.assertEqual(self.done("summary", C60).stderr, "")
+
+    def test_progress_tells_the_stages(self):
+        stages = self.done("signatures", C60, "--progress", "always").stderr
+        for stage in ["reading", "triangulation", "filtration", "signatures"]:
+            self.assertRegex(stages, rf"orthoball: {stage}: \d+\.\d\d s\n")
+        self.assertNotIn(" s\n", self.done("signatures", C60).stderr)
+
+    def test_numbers_beyond_the_double_range_are_null_or_empty_with_one_warning(self):
+        path = self.file("huge.csv", "x,y,z\n0,0,0\n1e200,0,0\n0,1e200,0\n0,0,1e200\n")
+        result = self.done("signatures", path, "--json")
+        self.assertIsNone(json.loads(result.stdout)[-1]["volume"])
+        self.assertEqual(result.stderr.count("warning"), 1)
+        result = self.done("signatures", path)
+        row = list(csv.DictReader(io.StringIO(result.stdout)))[-1]
+        self.assertEqual(row["volume"], "")
+        self.assertEqual(result.stderr.count("warning"), 1)
+
+
+class Summary(InAFolder):
+    KEYS = ["input", "dimension", "affine_dimension", "distinct_sites", "hidden", "duplicates",
+            "simplices", "attached", "spectrum_size", "alpha2_min", "alpha2_max", "hull_volume",
+            "hull_area", "notable"]
+
+    def summary(self, *arguments):
+        return json.loads(self.done("summary", *arguments, "--json").stdout)
+
+    def test_has_the_promised_keys(self):
+        for sample, dimension in [(C60, 3), (EIGHT, 2)]:
+            summary = self.summary(sample)
+            self.assertEqual([key for key in self.KEYS if key not in summary], [])
+            self.assertEqual([key for key in ["file", "format", "sites", "decimals", "radii"]
+                              if key not in summary["input"]], [])
+            self.assertEqual(summary["dimension"], dimension)
+            self.assertEqual(len(summary["simplices"]), dimension + 1)
+            self.assertEqual(len(summary["attached"]), dimension + 1)
+            names = [notable["name"] for notable in summary["notable"]]
+            expected = ["all_vertices", "all_vertices_in_cells", "connected", "one_region", "solid",
+                        "solid_from"] + [f"gap_{k}" for k in range(dimension)]
+            self.assertEqual(names, expected)
+            for notable in summary["notable"]:
+                self.assertEqual(set(notable), {"name", "reason", "index", "alpha2", "alpha"})
+
+    def test_hidden_and_duplicate_rows_are_listed(self):
+        path = self.file("balls.csv", "x,y,z,r\n0,0,0,1\n5,0,0,1\n0,0,0,1\n0,0,0,0.5\n")
+        summary = self.summary(path, "--columns", "x,y,z", "--radius-column", "r")
+        self.assertEqual(summary["hidden"], [3])
+        self.assertEqual(summary["duplicates"], [[2, 0]])
+        self.assertEqual(summary["distinct_sites"], 3)
+        self.assertEqual(summary["input"]["sites"], 4)
+
+    def test_empty_input_is_an_answer_where_it_is_allowed(self):
+        path = self.file("empty.csv", "x,y,z\n")
+        summary = self.summary(path, "--allow-empty")
+        self.assertEqual(summary["spectrum_size"], 0)
+        self.assertIsNone(summary["alpha2_min"])
+        self.assertIsNone(summary["alpha2_max"])
+        self.assertEqual(summary["affine_dimension"], -1)
+        self.assertEqual(summary["hull_volume"], 0)
+        self.done("summary", path, "--allow-empty")
+        self.done("signatures", path, "--allow-empty", "--plot", self.folder / "plot.svg")
+        self.done("shape", path, "--allow-empty", "-o", self.folder / "shape.glb")
+        self.done("filter", path, "--allow-empty")
+
+    def test_a_flat_set_in_space_has_twice_its_polygon_as_area(self):
+        path = self.file("square.csv", "x,y,z\n0,0,0\n2,0,0\n0,2,0\n2,2,0\n")
+        summary = self.summary(path)
+        self.assertEqual(summary["affine_dimension"], 2)
+        self.assertEqual(summary["hull_volume"], 0)
+        self.assertEqual(summary["hull_area"], 8)
+
+    def test_measures_the_shape_that_is_asked_for(self):
+        at = self.summary(TWO_BALLS, "--alpha2", "-1,2")["at"]
+        self.assertEqual([entry["betti"][0] for entry in at], [2, 1])
+        self.assertEqual([entry["index"] for entry in at], [1, 2])
+
+    def test_the_text_names_reading_and_notable_alphas(self):
+        text = self.done("summary", C60).stdout
+        for word in ["60 in space", "bondi", "notable alphas", "solid_from", "hull volume", "Å³"]:
+            self.assertIn(word, text)
+
+
+class Signatures(InAFolder):
+    def test_csv_has_the_promised_columns(self):
+        for sample, dimension in [(C60, 3), (EIGHT, 2)]:
+            head = self.done("signatures", sample).stdout.split("\n", 1)[0].split(",")
+            roles = [f"{role}_{k}" for role in ["exterior", "singular", "regular", "interior"]
+                     for k in range(dimension + 1)]
+            self.assertEqual(
+                head,
+                ["index", "alpha2", "alpha"] + [f"betti_{k}" for k in range(dimension)] + ["euler"]
+                + roles + ["volume", "area_singular", "area_regular", "area", "length"])
+
+    def test_rows_are_every_index_and_agree_with_json(self):
+        rows = list(csv.DictReader(io.StringIO(self.done("signatures", C60).stdout)))
+        entries = json.loads(self.done("signatures", C60, "--json").stdout)
+        self.assertEqual([int(row["index"]) for row in rows], list(range(1, len(rows) + 1)))
+        for row, entry in zip(rows, entries, strict=True):
+            self.assertEqual(float(row["alpha2"]), entry["alpha2"])
+            self.assertEqual([int(row[f"betti_{k}"]) for k in range(3)], entry["betti"])
+            self.assertEqual([int(row[f"singular_{k}"]) for k in range(4)], entry["singular"])
+            self.assertEqual(float(row["length"]), entry["length"])
+            self.assertEqual(set(entry), {
+                "index", "alpha2", "alpha", "betti", "euler", "exterior", "singular", "regular",
+                "interior", "volume", "area_singular", "area_regular", "area", "length"})
+
+    def test_values_are_echoed_in_the_order_asked_for(self):
+        entries = json.loads(self.done("signatures", TWO_BALLS, "--alpha2", "2,-5,-1",
+                                       "--json").stdout)
+        self.assertEqual([entry["alpha2"] for entry in entries], [2, -5, -1])
+        self.assertEqual([entry["index"] for entry in entries], [2, 0, 1])
+        self.assertEqual(entries[1]["betti"], [0, 0, 0])
+        self.assertEqual(entries[1]["volume"], 0)
+
+    def test_length_is_null_in_the_plane(self):
+        entry = json.loads(self.done("signatures", EIGHT, "--alpha2", "1", "--json").stdout)[0]
+        self.assertIsNone(entry["length"])
+        self.assertEqual(len(entry["betti"]), 2)
+
+    def test_alpha_is_squared_exactly_and_rounded_once(self):
+        texts = ["0.1", "1.1", "-0.3", "3.0000000000000001", "123456789.123456789", "1e-150",
+                 "-7.25e10", "0.30000000000000004", "+2", ".5", "-.5", "1d1"]
+        for form, power in [("--alpha", 1), ("--inverse-alpha", -1)]:
+            result = self.done("signatures", TWO_BALLS, f"{form}={','.join(texts)}", "--json")
+            for text, entry in zip(texts, json.loads(result.stdout), strict=True):
+                x = fractions.Fraction(text.replace("d", "e"))
+                exact = (x * abs(x)) ** power
+                self.assertEqual(entry["alpha2"], exact.numerator / exact.denominator, text)
+                self.assertEqual(math.copysign(1, entry["alpha"]), math.copysign(1, x))
+
+    def test_every_printed_alpha2_gives_back_its_own_index(self):
+        rows = list(csv.DictReader(io.StringIO(self.done("signatures", C60).stdout)))
+        values = ",".join(row["alpha2"] for row in rows)
+        entries = json.loads(self.done("signatures", C60, f"--alpha2={values}", "--json").stdout)
+        labels = [row["alpha2"] for row in rows]
+        for row, entry in zip(rows, entries, strict=True):
+            if labels.count(row["alpha2"]) == 1:
+                self.assertEqual(entry["index"], int(row["index"]))
+
+    def test_samples_spread_over_the_spectrum_with_both_ends(self):
+        rows = list(csv.DictReader(io.StringIO(
+            self.done("signatures", EIGHT, "--samples", "5").stdout)))
+        indices = [int(row["index"]) for row in rows]
+        size = json.loads(self.done("summary", EIGHT, "--json").stdout)["spectrum_size"]
+        self.assertEqual((len(indices), indices[0], indices[-1]), (5, 1, size))
+        self.assertEqual(indices, sorted(set(indices)))
+
+    def test_npz_holds_the_same_columns(self):
+        output = self.folder / "table.npz"
+        self.done("signatures", C60, "-o", output)
+        with zipfile.ZipFile(output) as archive:
+            self.assertIsNone(archive.testzip())
+            names = archive.namelist()
+            volume = archive.read("volume.npy")
+        self.assertIn("betti.npy", names)
+        rows = list(csv.DictReader(io.StringIO(self.done("signatures", C60).stdout)))
+        size = struct.unpack_from("<H", volume, 8)[0]
+        self.assertEqual(list(struct.unpack_from(f"<{len(rows)}d", volume, 10 + size)),
+                         [float(row["volume"]) for row in rows])
+
+    def test_a_plot_comes_beside_the_table(self):
+        plot = self.folder / "plot.svg"
+        result = self.done("signatures", C60, "--plot", plot)
+        self.assertTrue(result.stdout.startswith("index,"))
+        self.assertIn("</svg>", plot.read_text())
+
+
+class Filter(InAFolder):
+    def test_csv_counts_from_one_and_leaves_never_empty(self):
+        text = self.done("filter", TWO_BALLS).stdout
+        self.assertTrue(
+            text.startswith("position,dimension,vertices,alpha2,enters,regular,interior\n"))
+        rows = list(csv.DictReader(io.StringIO(text)))
+        self.assertEqual([row["position"] for row in rows], ["1", "2", "3"])
+        self.assertEqual(rows[2]["vertices"], "0 1")
+        self.assertEqual(rows[2]["interior"], "")
+
+    def test_every_face_comes_before_its_cofaces(self):
+        seen = set()
+        for row in csv.DictReader(io.StringIO(self.done("filter", C60).stdout)):
+            vertices = tuple(map(int, row["vertices"].split()))
+            self.assertEqual(list(vertices), sorted(vertices))
+            self.assertEqual(len(vertices), int(row["dimension"]) + 1)
+            for i in range(len(vertices)):
+                face = vertices[:i] + vertices[i + 1:]
+                self.assertTrue(not face or face in seen)
+            seen.add(vertices)
+
+    def test_formats_say_the_same(self):
+        rows = list(csv.DictReader(io.StringIO(self.done("filter", C60).stdout)))
+        lines = self.done("filter", C60, "--json").stdout.splitlines()
+        for row, line in zip(rows, lines, strict=True):
+            entry = json.loads(line)
+            self.assertEqual(" ".join(map(str, entry["vertices"])), row["vertices"])
+            self.assertEqual(float(row["alpha2"]), entry["alpha2"])
+            never = lambda text: int(text) if text else None
+            self.assertEqual(never(row["regular"]), entry["regular"])
+        output = self.folder / "filter.npz"
+        self.done("filter", C60, "-o", output)
+        with zipfile.ZipFile(output) as archive:
+            self.assertIsNone(archive.testzip())
+            enters = archive.read("enters.npy")
+        size = struct.unpack_from("<H", enters, 8)[0]
+        self.assertEqual(list(struct.unpack_from(f"<{len(rows)}I", enters, 10 + size)),
+                         [int(row["enters"]) for row in rows])
+
+    def test_with_an_alpha_it_is_the_complex_there(self):
+        rows = list(csv.DictReader(io.StringIO(
+            self.done("filter", C60, "--alpha2", "0").stdout)))
+        entry = json.loads(self.done("signatures", C60, "--alpha2", "0", "--json").stdout)[0]
+        inside = sum(sum(entry[role]) for role in ["singular", "regular", "interior"])
+        self.assertEqual(len(rows), inside)
+
+
+class Shape(InAFolder):
+    def test_every_format_is_written_by_its_name(self):
+        starts = {"ply": b"ply\n", "obj": b"# ", "off": b"OFF\n", "stl": b"boundary", "vtu": b"<?xml",
+                  "glb": b"glTF"}
+        for ending, start in starts.items():
+            output = self.folder / f"surface.{ending}"
+            result = self.done("shape", C60, "--alpha2", "3", "-o", output, "--roles")
+            self.assertTrue(output.read_bytes().startswith(start), ending)
+            self.assertIn("alpha2 3, alpha 1.7320508075688772, index ", result.stderr)
+        for ending, start in {"geojson": b'{"type"', "svg": b"<svg", "ply": b"ply\n"}.items():
+            output = self.folder / f"outline.{ending}"
+            self.done("shape", EIGHT, "-o", output)
+            self.assertTrue(output.read_bytes().startswith(start), ending)
+
+    def test_auto_is_said(self):
+        output = self.folder / "surface.ply"
+        self.assertIn("alpha2 auto: dual_complex", self.done("shape", C60, "-o", output).stderr)
+        self.assertIn("alpha2 auto: solid", self.done("shape", EIGHT, "-o", output).stderr)
+
+    def test_the_report_counts_what_is_written(self):
+        output = self.folder / "surface.ply"
+        report = json.loads(self.done("shape", C60, "--alpha2", "100", "-o", output,
+                                      "--json").stdout)
+        self.assertEqual(report["singular"], [0, 0, 0])
+        self.assertIn(f"element face {report['regular']}\n".encode(), output.read_bytes())
+        self.assertIn(f"element vertex {report['vertices']}\n".encode(), output.read_bytes())
+        entry = json.loads(self.done("signatures", C60, "--alpha2", "100", "--json").stdout)[0]
+        self.assertEqual(report["regular"], entry["regular"][2])
+
+    def test_triangle_formats_say_what_they_leave_out(self):
+        output = self.folder / "surface.stl"
+        self.assertIn("left out", self.done("shape", TWO_BALLS, "--alpha2", "2", "-o",
+                                            output).stderr)
+
+    def test_regularized_leaves_singular_simplices_out(self):
+        result = self.done("shape", TWO_BALLS, "--alpha2", "2", "--format", "obj", "--regularized")
+        self.assertNotIn("\nl ", result.stdout)
+        self.assertIn("no boundary", result.stderr)
+
+    def test_geojson_rings_are_closed_and_turn_as_rfc_7946_says(self):
+        text = self.done("shape", EIGHT, "--format", "geojson").stdout
+        feature = json.loads(text)["features"][0]
+        self.assertEqual(feature["geometry"]["type"], "MultiPolygon")
+        for polygon in feature["geometry"]["coordinates"]:
+            for i, ring in enumerate(polygon):
+                self.assertEqual(ring[0], ring[-1])
+                area = sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(ring, ring[1:]))
+                self.assertEqual(area > 0, i == 0)
+
+
+class Shuffled(InAFolder):
+    def test_rows_in_another_order_change_nothing_but_row_numbers(self):
+        lines = pathlib.Path(EIGHT).read_text().splitlines()
+        head, rows = lines[:1], lines[1:]
+        shuffled = self.file("shuffled.csv", "\n".join(head + rows[::-1]) + "\n")
+        for arguments in [["signatures"], ["shape", "--format", "obj", "--alpha2", "0.01"]]:
+            first = self.done(arguments[0], EIGHT, *arguments[1:]).stdout
+            second = self.done(arguments[0], shuffled, *arguments[1:]).stdout
+            self.assertEqual(first, second)
+
+
+if __name__ == "__main__":
+    PROGRAM = os.path.abspath(sys.argv.pop(1))
+    os.chdir(ROOT)
+    unittest.main()
