@@ -13,7 +13,7 @@ struct Exactly {
 };
 
 /// a + b. Exact unless it overflows.
-[[nodiscard]] inline Exactly two_sum(double a, double b) {
+[[nodiscard, gnu::always_inline]] inline Exactly two_sum(double a, double b) {
   const double sum = a + b;
   const double b_part = sum - a;
   const double a_part = sum - b_part;
@@ -21,7 +21,7 @@ struct Exactly {
 }
 
 /// a * b. Exact where |a|, |b| < 2^995 and the product is 0 or at least 2^-968 in magnitude.
-[[nodiscard]] inline Exactly two_product(double a, double b) {
+[[nodiscard, gnu::always_inline]] inline Exactly two_product(double a, double b) {
   constexpr double kSplitter = 134217729.0;  // 2^27 + 1 cuts 53 bits into 26 and 27
   const double product = a * b;
   const double a_wide = kSplitter * a;

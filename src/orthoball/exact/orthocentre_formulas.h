@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "orthoball/exact/unrolled.h"
+
 namespace orthoball {
 
 /// A simplex of `Corners` weighted points p_0, p_1, ... as the orthocentre's formulas take it.
@@ -31,30 +33,33 @@ struct OrthocentreVectors {
 
 /// u x v, as exact as the arithmetic of `Length`.
 template <class Length>
-[[nodiscard]] auto cross_product(const std::array<Length, 3>& u, const std::array<Length, 3>& v) {
+[[nodiscard, gnu::always_inline]] inline auto cross_product(const std::array<Length, 3>& u,
+                                                            const std::array<Length, 3>& v) {
   return std::array{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
                     u[0] * v[1] - u[1] * v[0]};
 }
 
 /// a . b, as exact as the arithmetic of its numbers.
 template <class A, class B, std::size_t Size>
-[[nodiscard]] auto dot_product(const std::array<A, Size>& a, const std::array<B, Size>& b) {
+[[nodiscard, gnu::always_inline]] inline auto dot_product(const std::array<A, Size>& a,
+                                                          const std::array<B, Size>& b) {
   auto sum = a[0] * b[0];
-  for (std::size_t i = 1; i < Size; ++i) sum = sum + a[i] * b[i];
+  unrolled<Size - 1>([&](std::size_t i)
+                         __attribute__((always_inline)) { sum = sum + a[i + 1] * b[i + 1]; });
   return sum;
 }
 
 /// The vectors of a triangle or tetrahedron, as exact as the arithmetic of `Number`.
 template <class Number, class Length, int D, std::size_t Corners>
-[[nodiscard]] OrthocentreVectors<Number, D, Corners> orthocentre_vectors(
+[[nodiscard, gnu::always_inline]] inline OrthocentreVectors<Number, D, Corners> orthocentre_vectors(
     const CornerDifferences<Length, Number, D, Corners>& simplex) {
   OrthocentreVectors<Number, D, Corners> result;
   const auto& edges = simplex.edges;
   const auto& powers = simplex.powers;
   if constexpr (Corners == 3) {
-    for (std::size_t axis = 0; axis < D; ++axis) {
+    unrolled<std::size_t{D}>([&](std::size_t axis) __attribute__((always_inline)) {
       result.x[axis] = powers[0] * edges[1][axis] - powers[1] * edges[0][axis];
-    }
+    });
     if constexpr (D == 2) {
       result.y[0] = edges[0][0] * edges[1][1] - edges[0][1] * edges[1][0];
     } else {
@@ -64,9 +69,9 @@ template <class Number, class Length, int D, std::size_t Corners>
     const auto vw = cross_product(edges[1], edges[2]);
     const auto wu = cross_product(edges[2], edges[0]);
     const auto uv = cross_product(edges[0], edges[1]);
-    for (std::size_t axis = 0; axis < D; ++axis) {
+    unrolled<std::size_t{D}>([&](std::size_t axis) __attribute__((always_inline)) {
       result.x[axis] = powers[0] * vw[axis] + powers[1] * wu[axis] + powers[2] * uv[axis];
-    }
+    });
     result.y[0] = dot_product(vw, edges[0]);
   }
   return result;
@@ -81,7 +86,7 @@ struct OrthocentreSquares {
 
 /// The squares for any simplex but a vertex, as exact as the arithmetic of `Number`.
 template <class Number, class Length, int D, std::size_t Corners>
-[[nodiscard]] OrthocentreSquares<Number> orthocentre_squares(
+[[nodiscard, gnu::always_inline]] inline OrthocentreSquares<Number> orthocentre_squares(
     const CornerDifferences<Length, Number, D, Corners>& simplex) {
   if constexpr (Corners == 2) {
     return {simplex.powers[0] * simplex.powers[0], dot_product(simplex.edges[0], simplex.edges[0])};

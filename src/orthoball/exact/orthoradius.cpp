@@ -12,67 +12,21 @@
 // that differ are in the order of the exact values; OrthoradiusPivot decides between equal ones.
 #include "orthoball/exact/orthoradius.h"
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
-#include "orthoball/exact/double_double.h"
+#include "orthoball/exact/certified_label.h"
+#include "orthoball/exact/error_free.h"
+#include "orthoball/exact/floating_point.h"
 #include "orthoball/exact/integer_simplex.h"
+#include "orthoball/exact/magnitudes.h"
 #include "orthoball/exact/orthocentre_formulas.h"
 #include "orthoball/exact/rounded_quotient.h"
 
 namespace orthoball {
 namespace {
-
-// Edges whose largest coordinate is in this range, with weights as Sites bounds them, let no
-// product here over- or underflow harmfully.
-constexpr double kShortestEdge = 0x1p-80;
-constexpr double kLongestEdge = 0x1p+80;
-
-// Largest magnitudes of what a simplex is made of.
-template <std::size_t Corners>
-struct Magnitudes {
-  std::array<double, Corners - 1> edges;   // largest coordinate
-  std::array<double, Corners - 1> powers;  // |edge|^2 + |w_0 - w_i| and more
-  bool in_range = true;
-
-  // Of a component of the vector x of orthocentre_formulas.h, and of y.
-  [[nodiscard]] double x() const {
-    if constexpr (Corners == 2) return powers[0];
-    if constexpr (Corners == 3) return powers[0] * edges[1] + powers[1] * edges[0];
-    if constexpr (Corners == 4) {
-      return 2 * (powers[0] * edges[1] * edges[2] + powers[1] * edges[2] * edges[0] +
-                  powers[2] * edges[0] * edges[1]);
-    }
-  }
-  [[nodiscard]] double y() const {
-    if constexpr (Corners == 2) return edges[0];
-    if constexpr (Corners == 3) return 2 * edges[0] * edges[1];
-    if constexpr (Corners == 4) return 6 * edges[0] * edges[1] * edges[2];
-  }
-};
-
-template <int D>
-double largest_coordinate(const std::array<double, std::size_t{D}>& edge) {
-  double largest = std::max(std::abs(edge[0]), std::abs(edge[1]));
-  if constexpr (D == 3) largest = std::max(largest, std::abs(edge[2]));
-  return largest;
-}
-
-// weight_magnitude: what the error of a weights' difference is a few roundings of, if that is more
-// than the difference itself.
-template <int D, std::size_t Corners>
-Magnitudes<Corners> magnitudes(
-    const std::array<std::array<double, std::size_t{D}>, Corners - 1>& edges,
-    const std::array<double, Corners - 1>& weight_differences, double weight_magnitude) {
-  Magnitudes<Corners> result;
-  for (std::size_t i = 0; i + 1 < Corners; ++i) {
-    const double largest = largest_coordinate<D>(edges[i]);
-    result.in_range &= largest > kShortestEdge && largest < kLongestEdge;
-    result.edges[i] = largest;
-    result.powers[i] = D * largest * largest + std::abs(weight_differences[i]) + weight_magnitude;
-  }
-  return result;
-}
 
 // --- attached or not ---------------------------------------------------------------------------
 
@@ -80,8 +34,8 @@ Magnitudes<Corners> magnitudes(
 constexpr double kCoordinateError = 40 * kRounding;
 
 // Magnitudes of orthocentre_coordinates, one bound for all.
-template <std::size_t Corners>
-double coordinate_magnitude(const Magnitudes<Corners>& size) {
+template <int D, std::size_t Corners>
+double coordinate_magnitude(const Magnitudes<D, Corners>& size) {
   if constexpr (Corners == 2) {
     return size.powers[0] + 6 * size.edges[0] * size.edges[0];
   } else {
@@ -105,152 +59,45 @@ unsigned negative_bits(const std::array<double, Corners>& coordinates) {
 
 // --- labels ------------------------------------------------------------------------------------
 
-constexpr double kPairRounding = 8 * kRounding * kRounding;  // of one operation on DoubleDouble
-
-template <int D>
-DoubleDouble weight_pair(const Sites<D>& sites, std::uint32_t site) {
-  if (sites.weight_error() == 0.0) return {sites[site].weight, 0.0};
-  const ExactSite<D> exact = sites.exact(site);
-  const int shift =
-      exact.weight_exponent + 2 * (sites.scale_exponent() - sites.exact_scale_exponent());
-  return {std::ldexp(exact.weight_high, shift), std::ldexp(exact.weight_low, shift)};
-}
-
-// 10^(2 decimals) as an exact pair; only up to 22 decimals.
+// 10^(2 decimals) is the sum of two doubles up to 22 decimals.
 constexpr int kMostPairDecimals = 22;
-DoubleDouble power_of_hundred(int decimals) {
-  double root = 1.0;  // 10^decimals is a double up to 22
-  for (int i = 0; i < decimals; ++i) root *= 10.0;
-  return ExactDouble{root} * ExactDouble{root};
-}
 
-// What labels of one set of sites have in common.
-struct LabelUnit {
-  DoubleDouble divisor;  // 10^(2 decimals)
-  double scale = 1.0;    // 2^(-2 scale_exponent), which is then normal
-  bool is_usable = true;
-  bool is_one = true;  // divisor == 1
-
-  template <int D>
-  explicit LabelUnit(const Sites<D>& sites)
-      : is_usable(sites.decimals() <= kMostPairDecimals && std::abs(sites.scale_exponent()) < 400),
-        is_one(sites.decimals() == 0) {
-    if (!is_usable) return;
-    divisor = power_of_hundred(sites.decimals());
-    scale = std::ldexp(1.0, -2 * sites.scale_exponent());
-  }
-};
-
-// Whether every number within `error` of `value` rounds to value.high.
-bool rounds_surely(const DoubleDouble& value, double error) {
-  return value.high + (value.low - error) == value.high &&
-         value.high + (value.low + error) == value.high;
-}
-
-template <class Number, std::size_t Size>
-double sum_of_magnitudes(const std::array<Number, Size>& vector) {
-  double sum = 0.0;
-  for (const Number& component : vector) sum += std::abs(component.high);
-  return sum;
-}
-
-// x^2, y^2 as pairs and how far each may be off.
-struct BoundedSquares {
-  OrthocentreSquares<DoubleDouble> squares;
-  double x_error;
-  double y_error;
-};
-
-// The longest paths to a component of x and of y have at most 9 and 5 operations on pairs.
-constexpr double kXError = 10 * kPairRounding;
-constexpr double kYError = 6 * kPairRounding;
-constexpr double kSquareError = 4 * kPairRounding;  // a product and two sums
-
-template <class Length, int D, std::size_t Corners>
-BoundedSquares bounded_squares(const CornerDifferences<Length, DoubleDouble, D, Corners>& simplex,
-                               const Magnitudes<Corners>& size) {
-  BoundedSquares result;
-  const double x_off = kXError * size.x();
-  const double y_off = Corners == 2 ? 0.0 : kYError * size.y();
-  double x_sum = 0.0;
-  double y_sum = 0.0;
-  if constexpr (Corners == 2) {
-    result.squares = orthocentre_squares(simplex);
-    x_sum = std::abs(simplex.powers[0].high);
-  } else {
-    const auto vectors = orthocentre_vectors(simplex);
-    result.squares = {dot_product(vectors.x, vectors.x), dot_product(vectors.y, vectors.y)};
-    x_sum = sum_of_magnitudes(vectors.x);
-    y_sum = sum_of_magnitudes(vectors.y);
-  }
-  result.x_error = 2 * x_sum * x_off + 3 * x_off * x_off + kSquareError * result.squares.x.high;
-  result.y_error = 2 * y_sum * y_off + 3 * y_off * y_off + kSquareError * result.squares.y.high;
-  return result;
-}
-
-// |x|^2 / (4 |y|^2) - w in input units, if its rounding is certain.
+// Nothing where labels cannot be certified in pairs of doubles.
 template <int D>
-std::optional<double> certified(const BoundedSquares& bounded, const DoubleDouble& weight,
-                                const LabelUnit& unit) {
-  const auto& [x, y] = bounded.squares;
-  if (!(bounded.y_error < 0x1p-20 * y.high)) return std::nullopt;  // nearly flat
-  const DoubleDouble four_y{4 * y.high, 4 * y.low};
-  DoubleDouble numerator = x;
-  double numerator_error = bounded.x_error;
-  if (weight.high != 0.0) {
-    const DoubleDouble product = weight * four_y;
-    numerator = x - product;
-    numerator_error += 4 * std::abs(weight.high) * bounded.y_error +
-                       3 * kPairRounding * (x.high + std::abs(product.high));
-  }
-  const DoubleDouble denominator = unit.is_one ? four_y : four_y * unit.divisor;
-  const DoubleDouble value = numerator / denominator;
-  const double size = std::abs(value.high);
-  const double error = 1.001 * (numerator_error / denominator.high +
-                                size * (bounded.y_error / y.high + 4 * kPairRounding));
-  if (!rounds_surely(value, error)) return std::nullopt;
-  const double label = value.high * unit.scale;
-  constexpr double kLeast = 0x1p-1000;  // neither this nor any number near it is subnormal
-  constexpr double kLargest = 0x1p+1000;
-  if (!(std::abs(label) > kLeast && std::abs(label) < kLargest)) return std::nullopt;
-  return label;
+std::optional<LabelUnit> label_unit(const Sites<D>& sites) {
+  if (sites.decimals() > kMostPairDecimals || std::abs(sites.scale_exponent()) > 400) return {};
+  double root = 1.0;  // 10^decimals is a double up to 22
+  for (int i = 0; i < sites.decimals(); ++i) root *= 10.0;
+  const Exactly divisor = two_product(root, root);
+  return LabelUnit{{divisor.high, divisor.low},
+                   std::ldexp(1.0, -2 * sites.scale_exponent()),
+                   sites.weight_error() == 0.0 ? 0.0 : 1.0};
 }
 
 template <int D, std::size_t Corners>
-std::optional<double> certified_in(const Sites<D>& sites, const CornerSites<Corners>& simplex,
-                                   const LabelUnit& unit) {
-  if (!unit.is_usable) return std::nullopt;
-  const DoubleDouble weight = weight_pair(sites, simplex[0]);
-  CornerDifferences<DoubleDouble, DoubleDouble, D, Corners> differences;
-  CornerDifferences<ExactDouble, DoubleDouble, D, Corners> exact_differences;
-  std::array<std::array<double, std::size_t{D}>, Corners - 1> edges;
-  std::array<double, Corners - 1> weight_differences;
-  double lost = 0.0;  // 0 if all differences are doubles
-  for (std::size_t i = 0; i + 1 < Corners; ++i) {
-    for (std::size_t axis = 0; axis < D; ++axis) {
-      const Exactly difference = two_sum(sites[simplex[i + 1]].x[axis], -sites[simplex[0]].x[axis]);
-      lost = std::max(lost, std::abs(difference.low));
-      edges[i][axis] = difference.high;
-      exact_differences.edges[i][axis] = {difference.high};
-      differences.edges[i][axis] = {difference.high, difference.low};
-    }
-    const DoubleDouble apart = weight - weight_pair(sites, simplex[i + 1]);
-    weight_differences[i] = apart.high;
-    differences.powers[i] = apart;
+void load(const Sites<D>& sites, const CornerSites<Corners>& simplex, std::size_t i,
+          CornerBlock<D, Corners>& block) {
+  for (std::size_t corner = 0; corner < Corners; ++corner) {
+    const Site<D>& site = sites[simplex[corner]];
+    for (std::size_t axis = 0; axis < D; ++axis) block.x[corner][axis][i] = site.x[axis];
+    block.weight[corner][i] = site.weight;
+    block.weight_low[corner][i] = 0.0;
+    if (sites.weight_error() == 0.0) continue;
+    const ExactSite<D> exact = sites.exact(simplex[corner]);
+    const int shift =
+        exact.weight_exponent + 2 * (sites.scale_exponent() - sites.exact_scale_exponent());
+    block.weight[corner][i] = std::ldexp(exact.weight_high, shift);
+    block.weight_low[corner][i] = std::ldexp(exact.weight_low, shift);
   }
-  // Differences of weights that are doubles are exact.
-  const double weight_magnitude = sites.weight_error() == 0.0 ? 0.0 : 2 * std::abs(weight.high);
-  const auto size = magnitudes<D, Corners>(edges, weight_differences, weight_magnitude);
-  if (!size.in_range) return std::nullopt;
-  for (std::size_t i = 0; i + 1 < Corners; ++i) {
-    auto& power = differences.powers[i];
-    const auto& edge = exact_differences.edges[i];
-    const auto& pair_edge = differences.edges[i];
-    power = (lost == 0.0 ? dot_product(edge, edge) : dot_product(pair_edge, pair_edge)) + power;
-  }
-  if (lost != 0.0) return certified<D>(bounded_squares(differences, size), weight, unit);
-  exact_differences.powers = differences.powers;
-  return certified<D>(bounded_squares(exact_differences, size), weight, unit);
+}
+
+// One simplex, whatever its differences.
+template <int D, std::size_t Corners>
+double certified_alone(const Sites<D>& sites, const CornerSites<Corners>& simplex,
+                       const LabelUnit& unit) {
+  CornerBlock<D, Corners> block;
+  load(sites, simplex, 0, block);
+  return certified_label_of_one(block, unit);
 }
 
 template <class Int>
@@ -260,22 +107,16 @@ Int power_of_ten(int exponent) {
   return result;
 }
 
-// A weight turned round: its error has nowhere to hide.
+// The label of a vertex is its weight turned round; one that needs no rounding is taken as it is.
 template <int D>
-double label_of(const Sites<D>& sites, const CornerSites<1>& simplex, const LabelUnit& unit) {
-  const Site<D>& site = sites[simplex[0]];
-  if (site.weight == 0.0 && sites.weight_error() == 0.0) return 0.0;
-  if (sites.weight_error() == 0.0 && unit.is_usable && unit.is_one) {
-    const double label = -site.weight * unit.scale;
-    if (std::abs(label) > 0x1p-1000 && std::abs(label) < 0x1p+1000) return label;
+double vertex_label(const Sites<D>& sites, const CornerSites<1>& vertex) {
+  const double weight = sites[vertex[0]].weight;
+  if (sites.weight_error() == 0.0) {
+    if (weight == 0.0) return 0.0;
+    const double label = -std::ldexp(weight, -2 * sites.scale_exponent());
+    if (sites.decimals() == 0 && std::abs(label) > 0x1p-1000 && std::isfinite(label)) return label;
   }
-  return orthoradius_stages::exact_label<D, 1>(sites, simplex);
-}
-
-template <int D, std::size_t Corners>
-double label_of(const Sites<D>& sites, const CornerSites<Corners>& simplex, const LabelUnit& unit) {
-  const auto label = certified_in<D, Corners>(sites, simplex, unit);
-  return label ? *label : orthoradius_stages::exact_label<D, Corners>(sites, simplex);
+  return orthoradius_stages::exact_label<D, 1>(sites, vertex);
 }
 
 // Calls `evaluate.template operator()<Corners>()` with a simplex's number of corners.
@@ -311,8 +152,8 @@ std::optional<unsigned> filtered_attached_facets(const Sites<D>& sites,
     weight_differences[i] = origin.weight - site.weight;
     differences.powers[i] = dot_product(edge, edge) + weight_differences[i];
   }
-  const auto size = magnitudes<D, Corners>(differences.edges, weight_differences,
-                                           2 * sites.weight_error() / kRounding);
+  const Magnitudes<D, Corners> size(differences.edges, weight_differences,
+                                    2 * sites.weight_error() / kRounding);
   if (!size.in_range) return std::nullopt;
   const auto coordinates = orthocentre_coordinates(differences);
   const double magnitude = coordinate_magnitude(size);
@@ -341,7 +182,9 @@ unsigned exact_attached_facets(const Sites<D>& sites, const CornerSites<Corners>
 
 template <int D, std::size_t Corners>
 std::optional<double> certified_label(const Sites<D>& sites, const CornerSites<Corners>& simplex) {
-  return certified_in<D, Corners>(sites, simplex, LabelUnit(sites));
+  const auto unit = label_unit(sites);
+  const double label = unit ? certified_alone(sites, simplex, *unit) : std::nan("");
+  return std::isnan(label) ? std::nullopt : std::optional(label);
 }
 
 template <int D, std::size_t Corners>
@@ -373,9 +216,30 @@ unsigned attached_facets(const Sites<D>& sites, const CornerSites<Corners>& simp
 template <int D, std::size_t Corners>
 void squared_orthoradii(const Sites<D>& sites, std::span<const CornerSites<Corners>> simplices,
                         std::span<double> labels) {
-  const LabelUnit unit(sites);
-  for (std::size_t i = 0; i < simplices.size(); ++i) {
-    labels[i] = label_of<D>(sites, simplices[i], unit);
+  if constexpr (Corners == 1) {
+    for (std::size_t i = 0; i < simplices.size(); ++i) {
+      labels[i] = vertex_label(sites, simplices[i]);
+    }
+  } else {
+    const auto unit = label_unit(sites);
+    constexpr std::size_t kBlock = CornerBlock<D, Corners>::kSize;
+    CornerBlock<D, Corners> block{};
+    std::array<double, kBlock> found;
+    found.fill(std::nan(""));
+    for (std::size_t first = 0; first < simplices.size(); first += kBlock) {
+      const std::size_t size = std::min(kBlock, simplices.size() - first);
+      if (unit) {
+        for (std::size_t i = 0; i < size; ++i) load(sites, simplices[first + i], i, block);
+        certified_labels(block, *unit, std::span(found));
+      }
+      for (std::size_t i = 0; i < size; ++i) {
+        const auto& simplex = simplices[first + i];
+        double label = found[i];
+        if (std::isnan(label) && unit) label = certified_alone(sites, simplex, *unit);
+        if (std::isnan(label)) label = orthoradius_stages::exact_label<D, Corners>(sites, simplex);
+        labels[first + i] = label;
+      }
+    }
   }
 }
 
@@ -484,6 +348,8 @@ template void squared_orthoradii<2, 1>(const Sites<2>&, std::span<const CornerSi
                                        std::span<double>);
 template void squared_orthoradii<3, 1>(const Sites<3>&, std::span<const CornerSites<1>>,
                                        std::span<double>);
+template double orthoradius_stages::exact_label<2, 1>(const Sites<2>&, const CornerSites<1>&);
+template double orthoradius_stages::exact_label<3, 1>(const Sites<3>&, const CornerSites<1>&);
 template class OrthoradiusPivot<2>;
 template class OrthoradiusPivot<3>;
 

@@ -15,13 +15,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <utility>
 
 #include "orthoball/exact/orthoradius.h"
 #include "orthoball/filtration/affine_dimension.h"
 #include "orthoball/filtration/edge_ring.h"
-#include "orthoball/radix_sort.h"
+#include "orthoball/filtration/label_sort.h"
 
 namespace orthoball {
 namespace {
@@ -85,6 +86,9 @@ struct SimplexReader {
   }
 };
 
+// -0 stands for negative values too small for a double, which are less than what 0 stands for.
+bool is_same_label(double a, double b) { return a == b && std::signbit(a) == std::signbit(b); }
+
 template <int D, int A>
 class Builder {
  public:
@@ -101,7 +105,8 @@ class Builder {
     if constexpr (A >= 1) {
       if (!sites_.is_unweighted()) mark_attached_facets<1>();
     }
-    rank(labelled());
+    label_all();
+    rank();
     hand_down();
     return std::move(result_);
   }
@@ -110,11 +115,11 @@ class Builder {
   template <int K>
   void mark_attached_facets();
   template <int K>
-  void label(std::vector<KeyedRow>& rows) const;
-  [[nodiscard]] std::vector<KeyedRow> labelled() const;
-  void rank(std::vector<KeyedRow> rows);
-  void rank_exactly(std::span<KeyedRow> rows, double label);
-  void enter_together(std::span<const KeyedRow> rows, double label);
+  void label();
+  void label_all();
+  void rank();
+  void rank_exactly(std::span<std::uint32_t> simplices, double label);
+  void enter_together(std::span<const std::uint32_t> simplices, double label);
   [[nodiscard]] FewOf<std::uint32_t, D> corners(std::uint32_t simplex) const;
   void hand_down();
   template <int K>
@@ -129,6 +134,11 @@ class Builder {
   const Sites<D>& sites_;
   const SimplexTable<D>& table_;
   SimplexReader<D, A> reader_;
+  // Labels of the unattached simplices, both in the order of their simplices, then sorted. While
+  // ranks are given, the labels in front become the spectrum, of which there are never more.
+  std::vector<double> labels_;
+  std::vector<std::uint32_t> simplices_;
+  std::uint32_t last_index_ = 0;
   CriticalAlpha2 result_;
 };
 
@@ -150,36 +160,36 @@ void Builder<D, A>::mark_attached_facets() {
 
 template <int D, int A>
 template <int K>
-void Builder<D, A>::label(std::vector<KeyedRow>& rows) const {
+void Builder<D, A>::label() {
   constexpr std::size_t kBlock = 256;
   std::array<CornerSites<std::size_t{K} + 1>, kBlock> simplices;
-  std::array<std::uint32_t, kBlock> ids;
-  std::array<double, kBlock> labels;
   std::size_t size = 0;
   const auto flush = [&] {
-    squared_orthoradii<D, std::size_t{K} + 1>(sites_, std::span(simplices).first(size), labels);
-    for (std::size_t i = 0; i < size; ++i) rows.push_back({ordered_key(labels[i]), ids[i]});
+    const std::size_t done = labels_.size();
+    labels_.resize(done + size);
+    squared_orthoradii<D, std::size_t{K} + 1>(sites_, std::span(simplices).first(size),
+                                              std::span(labels_).subspan(done));
     size = 0;
   };
   for (std::uint32_t number = 0; number < count(K); ++number) {
     if (result_.is_attached[first(K) + number]) continue;
+    simplices_.push_back(first(K) + number);
     simplices[size] = reader_.template corners<K>(number);
-    ids[size] = first(K) + number;
     if (++size == kBlock) flush();
   }
   flush();
 }
 
 template <int D, int A>
-std::vector<KeyedRow> Builder<D, A>::labelled() const {
+void Builder<D, A>::label_all() {
   const auto attached = std::count(result_.is_attached.begin(), result_.is_attached.end(), true);
-  std::vector<KeyedRow> rows;
-  rows.reserve(table_.size() - static_cast<std::size_t>(attached));
-  label<0>(rows);
-  if constexpr (A >= 1) label<1>(rows);
-  if constexpr (A >= 2) label<2>(rows);
-  if constexpr (A >= 3) label<3>(rows);
-  return rows;
+  const std::size_t unattached = table_.size() - static_cast<std::size_t>(attached);
+  labels_.reserve(unattached);
+  simplices_.reserve(unattached);
+  label<0>();
+  if constexpr (A >= 1) label<1>();
+  if constexpr (A >= 2) label<2>();
+  if constexpr (A >= 3) label<3>();
 }
 
 template <int D, int A>
@@ -204,53 +214,47 @@ FewOf<std::uint32_t, D> Builder<D, A>::corners(std::uint32_t simplex) const {
 }
 
 template <int D, int A>
-void Builder<D, A>::enter_together(std::span<const KeyedRow> rows, double label) {
-  result_.spectrum.push_back(label + 0.0);  // a negative value that rounds to -0 reads 0
-  const auto index = static_cast<std::uint32_t>(result_.spectrum.size());
-  for (const KeyedRow& row : rows) result_.enters[row.row] = index;
+inline void Builder<D, A>::enter_together(std::span<const std::uint32_t> simplices, double label) {
+  labels_[last_index_++] = label + 0.0;  // a negative value that rounds to -0 reads 0
+  for (const std::uint32_t simplex : simplices) result_.enters[simplex] = last_index_;
 }
 
 // Quicksort in three parts by the exact comparison with one pivot. Most runs are one class, which
 // takes one pass.
 template <int D, int A>
-void Builder<D, A>::rank_exactly(std::span<KeyedRow> rows, double label) {
-  while (!rows.empty()) {
-    const auto pivot_corners = corners(rows[rows.size() / 2].row);
+void Builder<D, A>::rank_exactly(std::span<std::uint32_t> simplices, double label) {
+  while (!simplices.empty()) {
+    const auto pivot_corners = corners(simplices[simplices.size() / 2]);
     const OrthoradiusPivot<D> pivot(sites_, {pivot_corners.begin(), pivot_corners.size()});
-    std::size_t equal = 0;              // [0, equal): less
-    std::size_t next = 0;               // [equal, next): equal
-    std::size_t greater = rows.size();  // [greater, size): greater
+    std::size_t equal = 0;                   // [0, equal): less
+    std::size_t next = 0;                    // [equal, next): equal
+    std::size_t greater = simplices.size();  // [greater, size): greater
     while (next < greater) {
-      const auto mine = corners(rows[next].row);
+      const auto mine = corners(simplices[next]);
       const Sign sign = pivot.compare({mine.begin(), mine.size()});
       if (sign == Sign::negative) {
-        std::swap(rows[equal++], rows[next++]);
+        std::swap(simplices[equal++], simplices[next++]);
       } else if (sign == Sign::positive) {
-        std::swap(rows[next], rows[--greater]);
+        std::swap(simplices[next], simplices[--greater]);
       } else {
         ++next;
       }
     }
-    rank_exactly(rows.first(equal), label);
-    enter_together(rows.subspan(equal, greater - equal), label);
-    rows = rows.subspan(greater);
+    rank_exactly(simplices.first(equal), label);
+    enter_together(simplices.subspan(equal, greater - equal), label);
+    simplices = simplices.subspan(greater);
   }
 }
 
 template <int D, int A>
-void Builder<D, A>::rank(std::vector<KeyedRow> rows) {
-  radix_sort(rows);
+void Builder<D, A>::rank() {
+  sort_labels(labels_, simplices_);
   result_.enters.assign(table_.size(), 0xFFFFFFFFU);  // later than every index
-  std::size_t labels = rows.empty() ? 0 : 1;
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    if (rows[i].key != rows[i - 1].key) ++labels;
-  }
-  result_.spectrum.reserve(labels);
-  for (std::size_t begin = 0; begin < rows.size();) {
+  for (std::size_t begin = 0; begin < labels_.size();) {
+    const double label = labels_[begin];
     std::size_t end = begin + 1;
-    while (end < rows.size() && rows[end].key == rows[begin].key) ++end;
-    const std::span<KeyedRow> run = std::span(rows).subspan(begin, end - begin);
-    const double label = number_of_key(run[0].key);
+    while (end < labels_.size() && is_same_label(labels_[end], label)) ++end;
+    const auto run = std::span(simplices_).subspan(begin, end - begin);
     if (run.size() == 1) {
       enter_together(run, label);
     } else {
@@ -258,6 +262,10 @@ void Builder<D, A>::rank(std::vector<KeyedRow> rows) {
     }
     begin = end;
   }
+  simplices_ = {};
+  labels_.resize(last_index_);
+  labels_.shrink_to_fit();
+  result_.spectrum = std::move(labels_);
 }
 
 // --- down the dimensions -----------------------------------------------------------------------

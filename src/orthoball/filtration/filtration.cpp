@@ -8,15 +8,37 @@
 namespace orthoball {
 namespace {
 
-// Simplices by (enters, number), and numbers ascend with dimensions: a counting sort.
-std::vector<SimplexId> sorted_by(std::span<const std::uint32_t> enters, std::uint32_t indices) {
-  std::vector<std::uint32_t> next(std::size_t{indices} + 1, 0);
-  for (const std::uint32_t index : enters) ++next[index];
+// Where the elements of each of `counts` begin.
+void sum_before(std::span<std::uint32_t> counts) {
   std::uint32_t first = 0;
-  for (std::uint32_t& count : next) first += std::exchange(count, first);
+  for (std::uint32_t& count : counts) first += std::exchange(count, first);
+}
+
+// Simplices by (enters, number), and numbers ascend with dimensions: two stable counting sorts, by
+// the upper half of the index, then within each bucket by the lower half, which stays in the cache.
+std::vector<SimplexId> sorted_by(std::span<const std::uint32_t> enters, std::uint32_t indices) {
+  std::vector<std::uint32_t> first((indices >> 16U) + 2, 0);
+  for (const std::uint32_t index : enters) ++first[index >> 16U];
+  sum_before(first);
   std::vector<SimplexId> sorted(enters.size());
+  std::vector<std::uint16_t> lower(enters.size());  // [place]
+  std::vector<std::uint32_t> next = first;
   for (std::uint32_t simplex = 0; simplex < enters.size(); ++simplex) {
-    sorted[next[enters[simplex]]++] = SimplexId(simplex);
+    const std::uint32_t place = next[enters[simplex] >> 16U]++;
+    sorted[place] = SimplexId(simplex);
+    lower[place] = static_cast<std::uint16_t>(enters[simplex]);
+  }
+
+  std::vector<SimplexId> bucket;
+  for (std::size_t upper = 0; upper + 1 < first.size(); ++upper) {
+    const auto begin = sorted.begin() + first[upper];
+    bucket.assign(begin, sorted.begin() + first[upper + 1]);
+    next.assign(std::size_t{1} << 16U, 0);
+    for (std::size_t i = 0; i < bucket.size(); ++i) ++next[lower[first[upper] + i]];
+    sum_before(next);
+    for (std::size_t i = 0; i < bucket.size(); ++i) {
+      begin[next[lower[first[upper] + i]]++] = bucket[i];
+    }
   }
   return sorted;
 }
