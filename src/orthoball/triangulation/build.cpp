@@ -92,12 +92,12 @@ std::vector<CellRecord<A>> cells_in_span(const Sites<D>& sites, const AffineBasi
                                          std::span<const std::uint32_t> order,
                                          std::vector<bool>& is_hidden) {
   if constexpr (A == D) {
-    return canonical_cells<A, D>(inserted_cells<A, D>(sites, order, basis.sites, is_hidden), sites,
-                                 is_hidden);
+    return canonical_cells<A>(inserted_cells<A, D>(sites, order, basis.sites, is_hidden), is_hidden,
+                              true);
   } else {
     const Sites<D> projected = sites.with_axes(basis.axes);
-    return canonical_cells<A, D>(inserted_cells<A, D>(projected, order, basis.sites, is_hidden),
-                                 sites, is_hidden);
+    return canonical_cells<A>(inserted_cells<A, D>(projected, order, basis.sites, is_hidden),
+                              is_hidden, false);
   }
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,9 +25,10 @@ class CellStore {
  public:
   using Cell = CellRecord<A>;  // neighbours are 4 * cell + corner, never kOutside
 
-  /// @param vertices  numbers of finite vertices are below.
-  explicit CellStore(std::uint32_t vertices) : infinity_(vertices) {}
+  /// @param vertices  numbers of finite vertices are below; at most 2^31.
+  explicit CellStore(std::uint32_t vertices) : infinity_(std::bit_ceil(vertices)) {}
 
+  /// A power of two, not below the number of vertices: a bit that no vertex has.
   [[nodiscard]] std::uint32_t infinity() const { return infinity_; }
   [[nodiscard]] std::size_t size() const { return cells_.size(); }  // dead ones included
   [[nodiscard]] const Cell& operator[](std::uint32_t cell) const { return cells_[cell]; }
@@ -38,9 +41,9 @@ class CellStore {
     return corner;
   }
   [[nodiscard]] bool is_finite(const Cell& cell) const {
-    bool finite = true;
-    for (const std::uint32_t vertex : cell.corners) finite &= vertex != infinity_;
-    return finite;
+    std::uint32_t bits = 0;
+    for (const std::uint32_t vertex : cell.corners) bits |= vertex;
+    return (bits & infinity_) == 0;
   }
 
   void reserve(std::size_t cells) {
@@ -49,26 +52,17 @@ class CellStore {
   }
   /// A new cell, or a released one.
   [[nodiscard]] std::uint32_t acquire() {
-    if (!released_.empty()) {
-      const std::uint32_t cell = released_.back();
-      released_.pop_back();
-      return cell;
-    }
-    constexpr std::size_t kMostCells = std::size_t{1}
-                                       << 30U;  // neighbours keep 2 bits for a corner
-    if (cells_.size() == kMostCells) {
-      throw LimitError("more than 2^30 cells in the triangulation; at most 150 million sites fit");
-    }
-    cells_.emplace_back();
-    mark_.push_back(0);
-    return static_cast<std::uint32_t>(cells_.size() - 1);
+    if (released_.empty()) return added();
+    const std::uint32_t cell = released_.back();
+    released_.pop_back();
+    return cell;
   }
-  /// `cell` is dead and may be given again.
-  void release(std::uint32_t cell) {
-    cells_[cell].corners[0] = kDead;
-    released_.push_back(cell);
+  /// These cells are dead and may be given again.
+  void release(std::span<const std::uint32_t> dead) {
+    released_.insert(released_.end(), dead.begin(), dead.end());
   }
-  [[nodiscard]] bool is_alive(std::uint32_t cell) const { return cells_[cell].corners[0] != kDead; }
+  /// The dead cells.
+  [[nodiscard]] std::span<const std::uint32_t> released() const { return released_; }
 
   /// A word for each cell that the searches mark visits with.
   [[nodiscard]] std::uint32_t& mark(std::uint32_t cell) { return mark_[cell]; }
@@ -80,7 +74,16 @@ class CellStore {
   }
 
  private:
-  static constexpr std::uint32_t kDead = 0xFFFFFFFFU;
+  std::uint32_t added() {
+    constexpr std::size_t kMostCells = std::size_t{1}
+                                       << 30U;  // neighbours keep 2 bits for a corner
+    if (cells_.size() == kMostCells) {
+      throw LimitError("more than 2^30 cells in the triangulation; at most 150 million sites fit");
+    }
+    cells_.emplace_back();
+    mark_.push_back(0);
+    return static_cast<std::uint32_t>(cells_.size() - 1);
+  }
 
   std::uint32_t infinity_;
   std::vector<Cell> cells_;

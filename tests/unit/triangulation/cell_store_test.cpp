@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace orthoball {
 namespace {
 
@@ -25,12 +27,12 @@ TEST(CellStore, KnowsTheVertexAtInfinity) {
 
 TEST(CellStore, GivesReleasedCellsAgain) {
   CellStore<2> cells(4);
-  const std::uint32_t a = cells.acquire(), b = cells.acquire();
-  cells[a].corners = cells[b].corners = {0, 1, 2};
-  EXPECT_TRUE(cells.is_alive(a));
-  cells.release(a);
-  EXPECT_FALSE(cells.is_alive(a));
-  EXPECT_TRUE(cells.is_alive(b));
+  const std::uint32_t a = cells.acquire();
+  (void)cells.acquire();
+  EXPECT_TRUE(cells.released().empty());
+  cells.release(std::array{a});
+  ASSERT_EQ(cells.released().size(), 1U);
+  EXPECT_EQ(cells.released()[0], a);
   EXPECT_EQ(cells.acquire(), a);
   EXPECT_EQ(cells.acquire(), 2U);
   EXPECT_EQ(cells.size(), 3U);
