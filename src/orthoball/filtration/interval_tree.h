@@ -51,6 +51,7 @@ class IntervalTree {
   std::vector<Bound> by_end_;          // within a node by end, descending
 };
 
+// One node of every height: the path down to the place of the index.
 template <class Visit>
 void IntervalTree::for_each_containing(std::uint32_t index, const Visit& visit) const {
   const std::uint32_t here = place(index);
