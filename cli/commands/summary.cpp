@@ -198,12 +198,14 @@ std::string notable_text(const std::vector<orthoball::NotableAlpha>& notables) {
 template <int D>
 std::string at_text(const Facts<D>& facts, const std::string& area_unit,
                     const std::string& volume_unit) {
-  const std::vector<std::string> names{"components", D == 3 ? "tunnels" : "holes", "voids"};
+  const std::vector<std::string> nouns{"component", D == 3 ? "tunnel" : "hole", "void"};
   std::string text;
   for (std::size_t i = 0; i < facts.at.size(); ++i) {
     const auto& s = facts.at[i];
     std::vector<std::string> words;
-    for (std::size_t k = 0; k < D; ++k) words.push_back(fmt::format("{} {}", s.betti[k], names[k]));
+    for (std::size_t k = 0; k < D; ++k) {
+      words.push_back(fmt::format("{} {}{}", s.betti[k], nouns[k], s.betti[k] == 1 ? "" : "s"));
+    }
     text += fmt::format("\nat alpha2 {}, alpha {}, index {}\n", number_text(s.alpha2),
                         number_text(facts.asked[i].alpha), s.index);
     text += line("  betti", joined(words));

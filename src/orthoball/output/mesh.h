@@ -9,7 +9,7 @@
 
 namespace orthoball {
 
-/// File formats of a boundary. See docs/file_formats/meshes.md for what each of them holds.
+/// File formats of a boundary. docs/guide/formats.md says what each holds.
 enum class MeshFormat {
   ply,  ///< binary, lowest byte first: triangles, edges, the input row of every vertex
   obj,  ///< text: triangles `f`, edges `l`, vertices `p`

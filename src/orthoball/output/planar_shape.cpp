@@ -184,10 +184,8 @@ void write_shape_svg(ByteSink& sink, const Filtration<2>& filtration, const Weig
             "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n");
   sink.text("<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n");
 
-  sink.text("<path class=\"sites\" stroke=\"#9aa5b1\" stroke-width=\"3\" d=\"");
-  for (std::uint32_t v = 0; v < sites.size(); ++v) picture.dot(sink, VertexId(v));
   sink.text(
-      "\"/>\n<path class=\"regular\" fill=\"#cfe3f5\" fill-rule=\"evenodd\" "
+      "<path class=\"regular\" fill=\"#cfe3f5\" fill-rule=\"evenodd\" "
       "stroke=\"#1f5a94\" stroke-width=\"1.5\" d=\"");
   for (const Polygon& polygon : polygons(filtration, options.index)) {
     for (const auto& ring : polygon.rings) {
@@ -198,6 +196,8 @@ void write_shape_svg(ByteSink& sink, const Filtration<2>& filtration, const Weig
       sink.text("Z");
     }
   }
+  sink.text("\"/>\n<path class=\"sites\" stroke=\"#8fa3b5\" stroke-width=\"2.5\" d=\"");
+  for (std::uint32_t v = 0; v < sites.size(); ++v) picture.dot(sink, VertexId(v));
   const std::string singular_colour = options.roles ? "#d55e00" : "#1f5a94";
   sink.text("\"/>\n<path class=\"singular edges\" stroke=\"" + singular_colour +
             "\" stroke-width=\"1.5\" d=\"");
