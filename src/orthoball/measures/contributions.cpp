@@ -9,7 +9,8 @@
 // the same facet gives the same double from both sides. The angle at an edge between the outward
 // normals of its two facets, the exterior angle, has the cosine +-(n . m) / (|n| |m|) and the sine
 // |n x m| / (|n| |m|). As n x m is 6 V times the edge, its length is 6 V len, and the angle is
-// atan2(6 V len, +-(n . m)): the sign is the product of the signs that turn both outward.
+// atan2(6 V len, +-(n . m)): the sign is the product of the signs that turn both outward. Where a
+// cross product is all rounding the cell is measured again with integers (thin_cell.h).
 #include "orthoball/measures/contributions.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@
 
 #include "orthoball/filtration/face_vertices.h"
 #include "orthoball/measures/angle.h"
+#include "orthoball/measures/thin_cell.h"
 
 namespace orthoball {
 namespace {
@@ -57,7 +59,7 @@ double length(const Points<2>& a, const Points<2>& b, std::size_t lane) {
 // What the kernels give, lane by lane.
 template <int D>
 struct CellRows {
-  Row volume, length;
+  Row volume, length, is_thin;  // is_thin is 0 or 1: see thin_cell.h
   std::array<Row, kCorners<D>> facets;
 };
 struct FacetRows {
@@ -80,6 +82,11 @@ void measure(const Batch<3, 4>& batch, CellRows<3>& out) {
     // n_a and n_c point outward where n_b and n_d point inward, or the other way round.
     const std::array<double, 6> length{norm(ab), norm(ac), norm(ad),
                                        norm(bc), norm(bd), norm(d - c)};
+    const bool is_thin = (out.facets[0][k] < kThin * length[3] * length[4]) |
+                         (out.facets[1][k] < kThin * length[1] * length[2]) |
+                         (out.facets[2][k] < kThin * length[0] * length[2]) |
+                         (out.facets[3][k] < kThin * length[0] * length[1]);
+    out.is_thin[k] = is_thin ? 1.0 : 0.0;
     const std::array<double, 6> cosine{-dot(n_c, n_d), dot(n_b, n_d), -dot(n_b, n_c),
                                        -dot(n_a, n_d), dot(n_a, n_c), -dot(n_a, n_b)};
     for (std::size_t edge = 0; edge < 6; ++edge) {
@@ -106,6 +113,7 @@ void measure(const Batch<2, 3>& batch, CellRows<2>& out) {
     out.facets[2][k] = length(a, b, k);
   }
   out.length.fill(0.0);
+  out.is_thin.fill(0.0);
 }
 
 void measure(const Batch<3, 3>& batch, FacetRows& out) {
@@ -257,10 +265,17 @@ void Contributions<D>::measure(std::span<const Placed> cells,
     cell.length = rows.length[lane];
     for (std::size_t i = 0; i < kCorners<D>; ++i) cell.facets[i] = rows.facets[i][lane];
     if (is_wide_) {
-      const int exponent = batch.exponent[lane];
-      cell.volume = std::ldexp(cell.volume, D * exponent);
-      cell.length = std::ldexp(cell.length, exponent);
+      cell.volume = std::ldexp(cell.volume, D * batch.exponent[lane]);
       measure_facets_alone(source, vertices[lane], cell);
+    }
+    if constexpr (D == 3) {
+      if (is_wide_ || rows.is_thin[lane] != 0.0) {
+        const Sites<D>& sites = triangulation.sites();
+        const ThinCell thin =
+            thin_cell(sites, vertices[lane], sites.exact_scale_exponent() - unit_exponent_);
+        cell.volume = thin.volume;
+        cell.length = thin.length;
+      }
     }
     for (std::size_t i = 0; i < kCorners<D>; ++i) {
       cell.facets[i] = is_second[lane][i] ? -cell.facets[i] : cell.facets[i];
