@@ -14,6 +14,7 @@
 #include "orthoball/triangulation/regular_triangulation.h"
 #include "orthoball/triangulation/verify.h"
 // filtration
+#include "orthoball/filtration/alpha_complex.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/filtration/simplex_table.h"
 // topology, measures

@@ -11,12 +11,10 @@ namespace orthoball {
 template <int D, std::size_t Corners>
 struct CornerBlock {
   static constexpr std::size_t kSize = 64;
-  template <class Number>
-  using Row = std::array<Number, kSize>;
-
-  std::array<std::array<Row<double>, std::size_t{D}>, Corners> x;  ///< [corner][axis][simplex]
-  std::array<Row<double>, Corners> weight;                         ///< [corner][simplex]
-  std::array<Row<double>, Corners> weight_low;                     ///< 0 where weights are doubles
+  std::array<std::array<std::array<double, kSize>, std::size_t{D}>, Corners>
+      x;                                                      ///< [corner][axis][simplex]
+  std::array<std::array<double, kSize>, Corners> weight;      ///< [corner][simplex]
+  std::array<std::array<double, kSize>, Corners> weight_low;  ///< 0 where weights are doubles
 };
 
 /// What labels of one set of sites have in common.

@@ -22,9 +22,9 @@ struct FusedProducts {
 
 /// An unevaluated sum of two doubles, about 106 bits: the number type of certified labels.
 ///
-/// With u = 2^-53 every operation below errs by at most 8 u^2 times the magnitudes it is made of
-/// (|a| + |b| for sums, |a b| for products, |a / b| for quotients), as long as nothing over- or
-/// underflows; docs/derivations/orthoradius.md counts. `high` is the sum rounded to a double, up to
+/// With u = 2^-53 every sum and product below errs by at most 8 u^2 times the magnitudes it is made
+/// of (|a| + |b|, |a b|), a quotient by 16 u^2 |a / b|, as long as nothing over- or underflows;
+/// docs/derivations/orthoradius.md counts. `high` is the sum rounded to a double, up to
 /// that error. Without branches, so that loops over many numbers become vector instructions.
 /// @cite dekker_1971  @cite joldes_2017
 template <class Products>

@@ -49,8 +49,8 @@ class AlphaComplex {
 /// and singular simplices of lower dimension, in [enters, regular). Exact. Refers to nothing once
 /// built; immutable; any number of threads may read it.
 ///
-/// One interval tree a dimension: up to 30 bytes a simplex below dimension D. @cite
-/// edelsbrunner_1983
+/// One interval tree a dimension: up to 30 bytes a simplex below dimension D.
+/// @cite edelsbrunner_1983
 template <int D>
 class BoundaryIndex {
  public:

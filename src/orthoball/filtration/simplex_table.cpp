@@ -8,6 +8,9 @@
 #include "orthoball/filtration/simplex_table.h"
 
 #include <algorithm>
+#include <bit>
+#include <string>
+#include <utility>
 
 #include "orthoball/error.h"
 #include "orthoball/filtration/affine_dimension.h"
@@ -86,7 +89,7 @@ void SimplexTable<D>::add_facets(std::span<const CellRecord<A>> cells) {
   // A hull facet has one cell, every other two.
   std::size_t facets = 0;
   for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
-    facets += static_cast<std::size_t>(std::popcount(owned_facets(cells[cell], cell)));
+    facets += count_of_four(owned_facets(cells[cell], cell));
   }
   require_numbers(facets + cells.size());
   facet_owners_.resize(facets);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -46,6 +45,12 @@ template <int A>
     mask |= static_cast<unsigned>(owns) << corner;
   }
   return mask;
+}
+
+/// Number of bits of a mask of at most four: without an instruction that older machines lack.
+[[nodiscard]] constexpr std::uint32_t count_of_four(unsigned mask) {
+  constexpr std::uint64_t kCounts = 0x4332322132212110U;  // [mask], four bits each
+  return static_cast<std::uint32_t>(kCounts >> (4 * mask)) & 15U;
 }
 
 /// Every simplex of a regular triangulation, once, with its faces and cofaces one dimension apart.
@@ -111,7 +116,7 @@ class SimplexTable {
       corner = beyond % 4;
     }
     const unsigned before = owned_facets(cells[cell], cell) & ((1U << corner) - 1U);
-    return first_facet_[cell] + static_cast<std::uint32_t>(std::popcount(before));
+    return first_facet_[cell] + count_of_four(before);
   }
   /// [facet]: 4 * cell + corner, the owner of a facet and the corner opposite.
   [[nodiscard]] const std::vector<std::uint32_t>& facet_owners() const { return facet_owners_; }
