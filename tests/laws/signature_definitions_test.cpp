@@ -29,9 +29,10 @@ void compare_measure(const std::string& what, double actual, const oracles::Meas
                      int exponent, int power, Sentences& found) {
   const double value = std::ldexp(expected.value, power * exponent);
   if (std::isinf(value) && actual == value) return;
-  // Lengths are 1 in the oracle's unit or less, and there are fewer than 1000 terms.
+  // Lengths are 1 in the oracle's unit or less, and there are fewer than 1000 terms, each of which
+  // may be rounded to a subnormal number.
   const double tolerance =
-      std::ldexp(kRelativeError * expected.magnitude + 1e-27, power * exponent) + 0x1p-1073;
+      std::ldexp(kRelativeError * expected.magnitude + 1e-27, power * exponent) + 0x1p-1066;
   if (std::abs(actual - value) <= tolerance) return;
   found.push_back(what + ": " + matchers::described(actual) + " instead of " +
                   matchers::described(value));

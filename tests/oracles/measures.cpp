@@ -58,6 +58,13 @@ class Geometry {
     const Vector normal = cross(edge(rows[0], rows[1]), edge(rows[0], rows[2]));
     return in_units(square_root(dot(normal, normal)), 2) / 2;
   }
+  // Of a triangle: the products of its edges, of which its area may be a small difference.
+  [[nodiscard]] double products_of_edges(const std::vector<std::uint32_t>& rows) const {
+    if (rows.size() != 3) return 0.0;
+    const double a = length({rows[1], rows[2]}), b = length({rows[0], rows[2]});
+    const double c = length({rows[0], rows[1]});
+    return a * b + b * c + c * a;
+  }
   [[nodiscard]] double volume(const std::vector<std::uint32_t>& rows) const {
     std::vector<Vector> edges;
     int factorial = 1;
@@ -98,9 +105,9 @@ class Geometry {
   Scaled unit_;
 };
 
-void add(Measure& measure, double term) {
+void add(Measure& measure, double term, double magnitude = 0.0) {
   measure.value += term;
-  measure.magnitude += std::abs(term);
+  measure.magnitude += std::max(std::abs(term), magnitude);
 }
 
 void add_length(Measure& length, const Geometry& geometry, const std::vector<std::uint32_t>& rows) {
@@ -136,14 +143,17 @@ Measures measures(const ExactPoints& points, const BruteForce& filtration, std::
   const int dimension = points.dimension;
   for (const BruteSimplex& simplex : filtration.simplices) {
     if (simplex.enters > index) continue;
-    if (simplex.dimension() == dimension) add(result.volume, geometry.volume(simplex.rows));
+    if (simplex.dimension() == dimension) {
+      add(result.volume, geometry.volume(simplex.rows), geometry.products_of_edges(simplex.rows));
+    }
     if (dimension == 3) add_length(result.length, geometry, simplex.rows);
     if (simplex.dimension() != dimension - 1 || simplex.interior <= index) continue;
     const double area =
         dimension == 2 ? geometry.length(simplex.rows) : geometry.area(simplex.rows);
     const bool is_singular = index < simplex.regular;
-    add(is_singular ? result.area_singular : result.area_regular, area);
-    add(result.area, is_singular ? 2 * area : area);
+    const double products = geometry.products_of_edges(simplex.rows);
+    add(is_singular ? result.area_singular : result.area_regular, area, products);
+    add(result.area, is_singular ? 2 * area : area, products);
   }
   return result;
 }

@@ -9,8 +9,8 @@
 
 namespace orthoball::oracles {
 
-/// A sum of lengths, areas or volumes and the sum of the magnitudes of its terms: what its error is
-/// measured against.
+/// A sum of lengths, areas or volumes, and what its error is measured against: the magnitudes of
+/// its terms, of triangles the products of their edges.
 struct Measure {
   double value = 0.0;
   double magnitude = 0.0;
