@@ -21,8 +21,9 @@ constexpr std::array kFamilies{
     PointFamily::protein_like, PointFamily::scan_like,     PointFamily::grid,
     PointFamily::lattice,      PointFamily::cospherical,   PointFamily::coplanar,
     PointFamily::collinear,    PointFamily::duplicated,    PointFamily::nested_balls,
-    PointFamily::same_centres, PointFamily::hidden_heavy,  PointFamily::one_ulp,
-    PointFamily::huge,         PointFamily::tiny,          PointFamily::mixed_scales};
+    PointFamily::same_centres, PointFamily::hidden_heavy,  PointFamily::near_sphere,
+    PointFamily::one_ulp,      PointFamily::huge,          PointFamily::tiny,
+    PointFamily::mixed_scales};
 
 using Point = std::array<double, 3>;
 
@@ -265,6 +266,17 @@ void add_hidden_heavy(Draft& draft, std::size_t count, Random& random) {
   }
 }
 
+void add_near_sphere(Draft& draft, std::size_t count, Random& random) {
+  while (draft.positions.size() < count) {
+    Point position{random.normal(), random.normal(), random.normal()};
+    if (draft.dimension == 2) position[2] = 0.0;
+    const double length = std::sqrt(squared_length(position, 3));
+    if (length < 0.1) continue;
+    for (double& x : position) x /= length;
+    draft.add(position);
+  }
+}
+
 void add_one_ulp(Draft& draft, std::size_t count, Random& random) {
   constexpr double ulp = std::numeric_limits<double>::epsilon();
   draft.kind = any_kind(random);
@@ -330,6 +342,8 @@ const char* name(PointFamily family) {
       return "same_centres";
     case PointFamily::hidden_heavy:
       return "hidden_heavy";
+    case PointFamily::near_sphere:
+      return "near_sphere";
     case PointFamily::one_ulp:
       return "one_ulp";
     case PointFamily::huge:
@@ -392,6 +406,9 @@ WeightedPoints points_of(PointFamily family, int dimension, std::size_t count, s
       break;
     case PointFamily::hidden_heavy:
       add_hidden_heavy(draft, count, random);
+      break;
+    case PointFamily::near_sphere:
+      add_near_sphere(draft, count, random);
       break;
     case PointFamily::one_ulp:
       add_one_ulp(draft, count, random);

@@ -27,6 +27,7 @@ enum class PointFamily {
   nested_balls,   ///< balls inside balls that touch them from inside or nearly
   same_centres,   ///< few centres, each with many radii
   hidden_heavy,   ///< large balls that hide most of many small ones
+  near_sphere,    ///< on the unit sphere as nearly as doubles can be, no weights
   one_ulp,        ///< coordinates and weights that differ in their last bits
   huge,           ///< near the largest doubles
   tiny,           ///< the smallest doubles, subnormal ones among them

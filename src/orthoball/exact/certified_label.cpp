@@ -37,11 +37,18 @@ template <class Number, std::size_t Size>
   return sum;
 }
 
-// The squared orthoradius of simplex `i` of a block in input units, correctly rounded; NaN where
-// the error bound leaves two candidates, the simplex is outside the range of the bounds, or
+// A squared orthoradius in input units over LabelUnit::scale.
+template <class Products>
+struct BoundedValue {
+  DoubleDoubleOf<Products> value;
+  double error;    // |value - true value| is less
+  int is_bounded;  // whether that can be said
+};
+
+// Of simplex `i` of a block. Not bounded where the simplex is outside the range of the bounds, or
 // Length is ExactDouble and not all differences of coordinates are doubles. Without branches.
 template <class Length, class Products, int D, std::size_t Corners>
-[[nodiscard, gnu::always_inline]] inline double certified_label_of(
+[[nodiscard, gnu::always_inline]] inline BoundedValue<Products> bounded_value_of(
     const CornerBlock<D, Corners>& block, std::size_t i, const LabelUnit& unit) {
   using Pair = DoubleDoubleOf<Products>;
   constexpr bool kIsExact = std::is_same_v<Length, ExactDoubleOf<Products>>;
@@ -101,15 +108,27 @@ template <class Length, class Products, int D, std::size_t Corners>
                                  3 * kPairRounding * (x.high + std::abs(product.high));
   const double error = 1.001 * (numerator_error / denominator.high +
                                 std::abs(value.high) * (y_error / y.high + 4 * kPairRounding));
+  const int is_bounded = static_cast<int>(y_error < 0x1p-20 * y.high) &  // else nearly flat
+                         static_cast<int>(lost == 0.0) & static_cast<int>(size.in_range);
+  return {value, error, is_bounded};
+}
 
-  // Whether every number within the error rounds to value.high, and no label is subnormal.
+// Labels within can be scaled without rounding.
+[[nodiscard, gnu::always_inline]] inline int is_in_label_range(double label) {
+  return static_cast<int>(std::abs(label) > 0x1p-1000) &
+         static_cast<int>(std::abs(label) < 0x1p+1000);
+}
+
+// The same correctly rounded in input units; NaN where every number within the error does not round
+// to the same, or no error is known.
+template <class Length, class Products, int D, std::size_t Corners>
+[[nodiscard, gnu::always_inline]] inline double certified_label_of(
+    const CornerBlock<D, Corners>& block, std::size_t i, const LabelUnit& unit) {
+  const auto [value, error, is_bounded] = bounded_value_of<Length, Products>(block, i, unit);
   const double label = value.high * unit.scale;
   const int is_certain = static_cast<int>(value.high + (value.low - error) == value.high) &
                          static_cast<int>(value.high + (value.low + error) == value.high) &
-                         static_cast<int>(y_error < 0x1p-20 * y.high) &  // else nearly flat
-                         static_cast<int>(std::abs(label) > 0x1p-1000) &
-                         static_cast<int>(std::abs(label) < 0x1p+1000) &
-                         static_cast<int>(lost == 0.0) & static_cast<int>(size.in_range);
+                         is_bounded & is_in_label_range(label);
   return is_certain != 0 ? label : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -161,11 +180,26 @@ double certified_label_of_one(const CornerBlock<D, Corners>& block, const LabelU
   return certified_label_of<DoubleDoubleOf<SplitProducts>, SplitProducts>(block, 0, unit);
 }
 
+template <int D, std::size_t Corners>
+Bounds label_remainder_of_one(const CornerBlock<D, Corners>& block, const LabelUnit& unit,
+                              double label) {
+  const auto [value, error, is_bounded] =
+      bounded_value_of<DoubleDoubleOf<SplitProducts>, SplitProducts>(block, 0, unit);
+  if ((is_bounded & is_in_label_range(label)) == 0) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {-kInfinity, kInfinity};
+  }
+  const double rest = (value.high - label / unit.scale) + value.low;
+  return {rest - 2 * error, rest + 2 * error};  // twice: for the roundings here
+}
+
 #define ORTHOBALL_INSTANTIATE_LABELS(D, CORNERS)                                                 \
   template void certified_labels<D, CORNERS>(const CornerBlock<D, CORNERS>&, const LabelUnit&,   \
                                              std::span<double, CornerBlock<D, CORNERS>::kSize>); \
   template double certified_label_of_one<D, CORNERS>(const CornerBlock<D, CORNERS>&,             \
-                                                     const LabelUnit&);
+                                                     const LabelUnit&);                          \
+  template Bounds label_remainder_of_one<D, CORNERS>(const CornerBlock<D, CORNERS>&,             \
+                                                     const LabelUnit&, double);
 ORTHOBALL_INSTANTIATE_LABELS(2, 2)
 ORTHOBALL_INSTANTIATE_LABELS(2, 3)
 ORTHOBALL_INSTANTIATE_LABELS(3, 2)

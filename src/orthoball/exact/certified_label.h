@@ -37,4 +37,17 @@ template <int D, std::size_t Corners>
 [[nodiscard]] double certified_label_of_one(const CornerBlock<D, Corners>& block,
                                             const LabelUnit& unit);
 
+/// A number known to lie in [least, most].
+struct Bounds {
+  double least;
+  double most;
+};
+
+/// What rounding took from `label`, the correctly rounded squared orthoradius of the first simplex
+/// of a block: that value less the label, both over `unit.scale`. Unbounded where the simplex or
+/// the label is outside the range of the bounds.
+template <int D, std::size_t Corners>
+[[nodiscard]] Bounds label_remainder_of_one(const CornerBlock<D, Corners>& block,
+                                            const LabelUnit& unit, double label);
+
 }  // namespace orthoball

@@ -9,15 +9,16 @@
 // times a product of these. Derived in docs/derivations/orthoradius.md.
 //
 // The order of simplices rests on labels: rounding to nearest never reverses an order, so labels
-// that differ are in the order of the exact values; OrthoradiusPivot decides between equal ones.
+// that differ are in the order of the exact values. Between equal ones what rounding took decides
+// where its bounds do not touch (label_remainder), and OrthoradiusPivot everywhere.
 #include "orthoball/exact/orthoradius.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
-#include "orthoball/exact/certified_label.h"
 #include "orthoball/exact/error_free.h"
 #include "orthoball/exact/floating_point.h"
 #include "orthoball/exact/integer_simplex.h"
@@ -91,13 +92,11 @@ void load(const Sites<D>& sites, const CornerSites<Corners>& simplex, std::size_
   }
 }
 
-// One simplex, whatever its differences.
 template <int D, std::size_t Corners>
-double certified_alone(const Sites<D>& sites, const CornerSites<Corners>& simplex,
-                       const LabelUnit& unit) {
+CornerBlock<D, Corners> block_of_one(const Sites<D>& sites, const CornerSites<Corners>& simplex) {
   CornerBlock<D, Corners> block;
   load(sites, simplex, 0, block);
-  return certified_label_of_one(block, unit);
+  return block;
 }
 
 template <class Int>
@@ -183,7 +182,8 @@ unsigned exact_attached_facets(const Sites<D>& sites, const CornerSites<Corners>
 template <int D, std::size_t Corners>
 std::optional<double> certified_label(const Sites<D>& sites, const CornerSites<Corners>& simplex) {
   const auto unit = label_unit(sites);
-  const double label = unit ? certified_alone(sites, simplex, *unit) : std::nan("");
+  const double label =
+      unit ? certified_label_of_one(block_of_one<D>(sites, simplex), *unit) : std::nan("");
   return std::isnan(label) ? std::nullopt : std::optional(label);
 }
 
@@ -235,12 +235,30 @@ void squared_orthoradii(const Sites<D>& sites, std::span<const CornerSites<Corne
       for (std::size_t i = 0; i < size; ++i) {
         const auto& simplex = simplices[first + i];
         double label = found[i];
-        if (std::isnan(label) && unit) label = certified_alone(sites, simplex, *unit);
+        if (std::isnan(label) && unit)
+          label = certified_label_of_one(block_of_one<D>(sites, simplex), *unit);
         if (std::isnan(label)) label = orthoradius_stages::exact_label<D, Corners>(sites, simplex);
         labels[first + i] = label;
       }
     }
   }
+}
+
+template <int D>
+Bounds label_remainder(const Sites<D>& sites, std::span<const std::uint32_t> simplex,
+                       double label) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto unit = label_unit(sites);
+  if (!unit) return {-kInfinity, kInfinity};
+  return with_corners<D>(simplex.size(), [&]<std::size_t Corners>() -> Bounds {
+    if constexpr (Corners == 1) {
+      return {-kInfinity, kInfinity};
+    } else {
+      CornerSites<Corners> corners;
+      std::copy(simplex.begin(), simplex.end(), corners.begin());
+      return label_remainder_of_one(block_of_one<D>(sites, corners), *unit, label);
+    }
+  });
 }
 
 // The pivot's fraction in every width up to 16 words that holds it; wider ones are made anew.
@@ -350,6 +368,8 @@ template void squared_orthoradii<3, 1>(const Sites<3>&, std::span<const CornerSi
                                        std::span<double>);
 template double orthoradius_stages::exact_label<2, 1>(const Sites<2>&, const CornerSites<1>&);
 template double orthoradius_stages::exact_label<3, 1>(const Sites<3>&, const CornerSites<1>&);
+template Bounds label_remainder<2>(const Sites<2>&, std::span<const std::uint32_t>, double);
+template Bounds label_remainder<3>(const Sites<3>&, std::span<const std::uint32_t>, double);
 template class OrthoradiusPivot<2>;
 template class OrthoradiusPivot<3>;
 

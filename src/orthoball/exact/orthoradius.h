@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "orthoball/exact/certified_label.h"
 #include "orthoball/exact/sign.h"
 #include "orthoball/exact/sites.h"
 
@@ -33,6 +34,14 @@ template <int D, std::size_t Corners>
 template <int D, std::size_t Corners>
 void squared_orthoradii(const Sites<D>& sites, std::span<const CornerSites<Corners>> simplices,
                         std::span<double> labels);
+
+/// How far the squared orthoradius of `simplex` is above its `label`, in a unit that all simplices
+/// of `sites` share: of two with the same label, that with the smaller value is the one whose
+/// bounds are below the other's. Certain; nothing follows where bounds touch. -infinity to infinity
+/// where no bounds are known, as for vertices.
+template <int D>
+[[nodiscard]] Bounds label_remainder(const Sites<D>& sites, std::span<const std::uint32_t> simplex,
+                                     double label);
 
 /// Compares the squared orthoradii of many simplices with that of one, whose fraction is kept.
 ///

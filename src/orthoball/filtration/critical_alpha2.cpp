@@ -6,7 +6,8 @@
 //    orthocentre lies; a simplex is attached if any coface marked it.
 // 2. Every unattached simplex gets its squared orthoradius as a correctly rounded label and is
 //    sorted by it. Labels that differ are in exact order; runs of equal labels are split into
-//    classes of exactly equal values by integers. A class is one entry of the spectrum.
+//    classes of exactly equal values, by integers where certified bounds do not separate them. A
+//    class is one entry of the spectrum.
 // 3. Ranks go down the dimensions: an attached simplex enters with the first of its cofaces; the
 //    first proper coface makes a simplex regular, the last cell around it makes it interior.
 //
@@ -118,6 +119,8 @@ class Builder {
   void label();
   void label_all();
   void rank();
+  void rank_run(std::span<std::uint32_t> simplices, double label);
+  [[nodiscard]] bool is_one_class(std::span<const std::uint32_t> simplices) const;
   void rank_exactly(std::span<std::uint32_t> simplices, double label);
   void enter_together(std::span<const std::uint32_t> simplices, double label);
   [[nodiscard]] FewOf<std::uint32_t, D> corners(std::uint32_t simplex) const;
@@ -219,11 +222,51 @@ inline void Builder<D, A>::enter_together(std::span<const std::uint32_t> simplic
   for (const std::uint32_t simplex : simplices) result_.enters[simplex] = last_index_;
 }
 
-// Quicksort in three parts by the exact comparison with one pivot. Most runs are one class, which
-// takes one pass.
+// Ranks simplices with one label. Most runs of more than one are one class, which takes one pass.
+// Others are cut wherever the bounds of what rounding took from the labels leave a gap: so of many
+// values that share a label, as of cells that nearly share a sphere, few are compared in integers.
+template <int D, int A>
+void Builder<D, A>::rank_run(std::span<std::uint32_t> simplices, double label) {
+  if (simplices.size() == 1 || is_one_class(simplices)) return enter_together(simplices, label);
+  struct Bounded {
+    Bounds remainder;
+    std::uint32_t simplex;
+  };
+  std::vector<Bounded> bounded;
+  bounded.reserve(simplices.size());
+  for (const std::uint32_t simplex : simplices) {
+    const auto mine = corners(simplex);
+    bounded.push_back({label_remainder<D>(sites_, {mine.begin(), mine.size()}, label), simplex});
+  }
+  std::sort(bounded.begin(), bounded.end(), [](const Bounded& a, const Bounded& b) {
+    return a.remainder.least < b.remainder.least;
+  });
+  for (std::size_t i = 0; i < bounded.size(); ++i) simplices[i] = bounded[i].simplex;
+  for (std::size_t begin = 0; begin < bounded.size();) {
+    double most = bounded[begin].remainder.most;
+    std::size_t end = begin + 1;
+    for (; end < bounded.size() && bounded[end].remainder.least <= most; ++end) {
+      most = std::max(most, bounded[end].remainder.most);
+    }
+    rank_exactly(simplices.subspan(begin, end - begin), label);
+    begin = end;
+  }
+}
+
+template <int D, int A>
+bool Builder<D, A>::is_one_class(std::span<const std::uint32_t> simplices) const {
+  const auto first = corners(simplices[0]);
+  const OrthoradiusPivot<D> pivot(sites_, {first.begin(), first.size()});
+  return std::all_of(simplices.begin() + 1, simplices.end(), [&](std::uint32_t simplex) {
+    const auto mine = corners(simplex);
+    return pivot.compare({mine.begin(), mine.size()}) == Sign::zero;
+  });
+}
+
+// Quicksort in three parts by the exact comparison with one pivot.
 template <int D, int A>
 void Builder<D, A>::rank_exactly(std::span<std::uint32_t> simplices, double label) {
-  while (!simplices.empty()) {
+  while (simplices.size() > 1) {
     const auto pivot_corners = corners(simplices[simplices.size() / 2]);
     const OrthoradiusPivot<D> pivot(sites_, {pivot_corners.begin(), pivot_corners.size()});
     std::size_t equal = 0;                   // [0, equal): less
@@ -244,6 +287,7 @@ void Builder<D, A>::rank_exactly(std::span<std::uint32_t> simplices, double labe
     enter_together(simplices.subspan(equal, greater - equal), label);
     simplices = simplices.subspan(greater);
   }
+  if (!simplices.empty()) enter_together(simplices, label);
 }
 
 template <int D, int A>
@@ -254,12 +298,7 @@ void Builder<D, A>::rank() {
     const double label = labels_[begin];
     std::size_t end = begin + 1;
     while (end < labels_.size() && is_same_label(labels_[end], label)) ++end;
-    const auto run = std::span(simplices_).subspan(begin, end - begin);
-    if (run.size() == 1) {
-      enter_together(run, label);
-    } else {
-      rank_exactly(run, label);
-    }
+    rank_run(std::span(simplices_).subspan(begin, end - begin), label);
     begin = end;
   }
   simplices_ = {};

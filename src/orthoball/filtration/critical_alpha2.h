@@ -23,7 +23,8 @@ struct CriticalAlpha2 {
 /// Attachment, order and the three indices of every simplex. Exact; the labels only are rounded.
 ///
 /// @param edges_of_cells  what the table gave with it; read where the cells are tetrahedra.
-/// Linear but for sorting the unattached simplices; 32 bytes of transient memory for each.
+/// Linear but for sorting the unattached simplices; 12 bytes of transient memory for each, 24 more
+/// where many different values share a label.
 template <int D>
 [[nodiscard]] CriticalAlpha2 critical_alpha2(
     const RegularTriangulation<D>& triangulation, const SimplexTable<D>& table,

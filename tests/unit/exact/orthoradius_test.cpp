@@ -91,6 +91,11 @@ double label_of(const Sites<D>& sites, const CornerSites<Corners>& simplex) {
   return label;
 }
 
+Rational exact_power_of_two(int exponent) {
+  const oracles::Integer power = oracles::Integer(1) << std::abs(exponent);
+  return exponent < 0 ? Rational(oracles::Integer(1), power) : Rational(power);
+}
+
 bool same_bits(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 // Everything about one simplex of the first Corners sites.
@@ -115,6 +120,13 @@ void expect_exact_simplex(const Sites<D>& sites, const oracles::ExactPoints& exa
     if (const auto mask =
             orthoradius_stages::filtered_attached_facets<D, Corners>(sites, simplex)) {
       ASSERT_EQ(*mask, attached);
+    }
+    if (const Bounds above = label_remainder<D>(sites, simplex, label); std::isfinite(above.most)) {
+      // In the unit of the bounds: the sites', but for decimals.
+      const Rational scale = exact_power_of_two(2 * sites.scale_exponent());
+      const Rational remainder = (expected.squared_radius - Rational(label)) * scale;
+      ASSERT_LE(Rational(above.least), remainder);
+      ASSERT_GE(Rational(above.most), remainder);
     }
     std::reverse(simplex.begin(), simplex.end());
     ASSERT_PRED2(same_bits, (label_of<D, Corners>(sites, simplex)), label);
@@ -252,6 +264,36 @@ TEST(Orthoradius, NearlyFlatTetrahedraNeedTheExactStage) {
   EXPECT_EQ((orthoradius_stages::filtered_attached_facets<3, 4>(sites, {0, 1, 2, 3})),
             std::nullopt);
   expect_exact<3>(flat);
+}
+
+TEST(LabelRemainder, SeparatesNearlyAllNearlyCosphericalTetrahedra) {
+  const WeightedPoints points = points_of(PointFamily::near_sphere, 3, 400, 3);
+  const auto sites = sites_of<3>(points);
+  const oracles::ExactPoints exact = oracles::exact_points(points);
+  struct Labelled {
+    CornerSites<4> corners;
+    Bounds above;
+  };
+  std::vector<Labelled> ones;
+  for (std::uint32_t i = 0; i + 4 <= points.size(); i += 4) {
+    const CornerSites<4> corners{i, i + 1, i + 2, i + 3};
+    expect_exact_simplex<3, 4>(sites, exact, corners);
+    if (label_of<3, 4>(sites, corners) != 1.0) continue;
+    ones.push_back({corners, label_remainder<3>(sites, corners, 1.0)});
+  }
+  ASSERT_GT(ones.size(), 30U);
+  std::size_t overlapping = 0;
+  for (const Labelled& a : ones) {
+    const OrthoradiusPivot<3> pivot(sites, a.corners);
+    for (const Labelled& b : ones) {
+      if (b.above.most < a.above.least) {
+        ASSERT_EQ(pivot.compare(b.corners), Sign::negative);
+      } else if (a.above.most >= b.above.least && &a != &b) {
+        ++overlapping;
+      }
+    }
+  }
+  EXPECT_LT(overlapping, ones.size());
 }
 
 TEST(Orthoradius, DoublesAreEnoughForNearlyAllRandomSimplices) {

@@ -154,8 +154,9 @@ TEST(Filtration, KeepsItsLawsOnEveryFamily) {
 }
 
 TEST(Filtration, KeepsItsLawsOnThousandsOfSites) {
-  for (const PointFamily family : {PointFamily::uniform, PointFamily::protein_like,
-                                   PointFamily::cospherical, PointFamily::hidden_heavy}) {
+  for (const PointFamily family :
+       {PointFamily::uniform, PointFamily::protein_like, PointFamily::cospherical,
+        PointFamily::near_sphere, PointFamily::hidden_heavy}) {
     SCOPED_TRACE(name(family));
     expect_laws<2>(points_of(family, 2, 2000, 7));
     expect_laws<3>(points_of(family, 3, 2000, 7));
