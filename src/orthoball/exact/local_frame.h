@@ -39,11 +39,6 @@ inline BinaryNumber binary_number(double number) {
   return {number < 0 ? -size : size, std::max(biased, 1) - 1075};
 }
 
-inline int lowest_bit(double number) {
-  const BinaryNumber binary = binary_number(number);
-  return binary.exponent + std::countr_zero(static_cast<std::uint64_t>(binary.digits));
-}
-
 // number / 2^unit modulo 2^Int::kBits, for a multiple of 2^unit: right whenever what is made of it
 // fits, also where it does not fit itself.
 template <class Int>
@@ -58,10 +53,15 @@ Int integer(double number, int unit) {
 
 }  // namespace local_frame_detail
 
+/// Exponent of the lowest set bit of a number other than 0. Exact.
+[[nodiscard]] inline int lowest_bit(double number) {
+  const auto binary = local_frame_detail::binary_number(number);
+  return binary.exponent + std::countr_zero(static_cast<std::uint64_t>(binary.digits));
+}
+
 /// The frame of some sites, at least one. Exact; costs a few operations a number.
 template <int D>
 [[nodiscard]] LocalFrame local_frame(std::span<const ExactSite<D>> sites) {
-  using local_frame_detail::lowest_bit;
   constexpr int kNothing = 1 << 20;
   int lowest = kNothing;
   int top = -kNothing;  // lengths' differences are below 2^top, weights below 2^(2 top)

@@ -2,12 +2,12 @@
 #include "orthoball/exact/sites.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "orthoball/exact/error_free.h"
+#include "orthoball/exact/local_frame.h"
 
 namespace orthoball {
 namespace {
@@ -37,15 +37,6 @@ Weight exact_weight(const WeightedPoints& points, std::size_t row) {
   }
   const Exactly square = two_product(radius, std::abs(radius));
   return {square.high, square.low, 2 * exponent};
-}
-
-// Exponent of the lowest set bit of a number other than 0.
-int lowest_bit(double number) {
-  const auto bits = std::bit_cast<std::uint64_t>(number);
-  const auto biased = static_cast<int>(bits >> 52U) & 0x7FF;
-  const std::uint64_t fraction = bits & 0xFFFFFFFFFFFFFU;
-  const std::uint64_t digits = biased == 0 ? fraction : fraction | (std::uint64_t{1} << 52U);
-  return std::max(biased, 1) - 1075 + std::countr_zero(digits);
 }
 
 // What the sites' numbers have in common.
