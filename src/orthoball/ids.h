@@ -25,8 +25,7 @@ class Id {
 };
 
 using SiteId = Id<struct SiteTag>;      ///< an input row: a weighted point as the caller numbers it
-using VertexId = Id<struct VertexTag>;  ///< a vertex of the triangulation, numbered by position
-using CellId = Id<struct CellTag>;      ///< a triangle (D = 2) or tetrahedron (D = 3)
+using VertexId = Id<struct VertexTag>;  ///< a vertex, see regular_triangulation.h
 using SimplexId = Id<struct SimplexTag>;  ///< a simplex of the triangulation, see simplex_table.h
 
 }  // namespace orthoball
