@@ -12,8 +12,10 @@
 // triangulation
 #include "orthoball/triangulation/build.h"
 #include "orthoball/triangulation/regular_triangulation.h"
+#include "orthoball/triangulation/triangle_edge.h"
 #include "orthoball/triangulation/verify.h"
 // filtration
+#include "orthoball/filtration/alpha.h"
 #include "orthoball/filtration/alpha_complex.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/filtration/simplex_table.h"

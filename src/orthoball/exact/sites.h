@@ -36,7 +36,8 @@ struct ExactSite {
 /// by less than 2^-1074, weights by `weight_error()`. The exact stages read `exact`, which is the
 /// truth.
 ///
-/// Costs 8 (D + 1) bytes a site, 8 (D + 3) more where a double cannot hold every number exactly.
+/// Costs 8 (D + 1) + 4 bytes a site, 8 (D + 3) more where a double cannot hold every number
+/// exactly.
 template <int D>
 class Sites {
  public:

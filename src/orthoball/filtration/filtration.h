@@ -24,7 +24,7 @@ enum class Role { exterior, singular, regular, interior };
 /// `enters` <= `regular` <= `interior`, the last two `never()` where it never takes that role.
 /// All comparisons are exact; only `alpha2(index)` is a number, correctly rounded.
 ///
-/// Owns its triangulation. Immutable; any number of threads may read it. About 900 bytes a site in
+/// Owns its triangulation. Immutable; any number of threads may read it. About 950 bytes a site in
 /// space, its triangulation included; time linear in the simplices but for sorting.
 /// @cite edelsbrunner_mucke_1994
 template <int D>

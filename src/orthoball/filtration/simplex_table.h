@@ -60,7 +60,7 @@ template <int A>
 /// space have near numbers. A facet is owned by the smaller of its two cells, an edge in space by
 /// the smallest cell around it. For sites that span less than R^D the dimensions above are empty.
 ///
-/// O(n) time for n simplices, no hashing; 17 bytes a tetrahedron. Does not own the triangulation:
+/// O(n) time for n simplices, no hashing; 22 bytes a tetrahedron. Does not own the triangulation:
 /// its member functions take the one it was made from. Immutable; any number of threads may read.
 template <int D>
 class SimplexTable {

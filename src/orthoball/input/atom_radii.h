@@ -24,13 +24,13 @@ struct AtomRadius {
 ///   @cite bondi_1964_volumes @cite alvarez_2013_cartography
 /// - `alvarez`: Alvarez alone.
 /// - `protor`: united atoms of the twenty amino acids, hydrogens contained, by Tsai and others
-/// (both
-///   oxygens of a carboxylate without hydrogen); `bondi` for all other atoms.
+///   (both oxygens of a carboxylate without hydrogen); `bondi` for all other atoms.
 ///   @cite tsai_1999_packing
 /// Any other name is the path of a file with a line `ELEMENT radius` or `RESIDUE ATOM radius` for
 /// each radius, the latter going before the former; blank lines and what follows # are skipped.
 class AtomRadii {
  public:
+  /// @param limited  refuse a file beyond the limits of source.h.
   /// @throws ParseError for a file that cannot be opened or has another kind of line.
   AtomRadii(const std::string& set, bool limited);
 

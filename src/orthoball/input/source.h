@@ -45,8 +45,8 @@ class Lines {
  private:
   std::string_view text_;
   std::size_t at_ = 0;  // where the next line begins
-  std::size_t newline_ =
-      0;  // the first \n and \r at or after at_, once found; text_.size() if none
+  // The first \n and \r at or after at_, once found; text_.size() if none.
+  std::size_t newline_ = 0;
   std::size_t carriage_ = 0;
   bool is_searched_ = false;
   std::size_t number_ = 0;

@@ -75,8 +75,8 @@ class CellStore {
 
  private:
   std::uint32_t added() {
-    constexpr std::size_t kMostCells = std::size_t{1}
-                                       << 30U;  // neighbours keep 2 bits for a corner
+    // Neighbours keep 2 bits for a corner.
+    constexpr std::size_t kMostCells = std::size_t{1} << 30U;
     if (cells_.size() == kMostCells) {
       throw LimitError("more than 2^30 cells in the triangulation; at most 150 million sites fit");
     }
