@@ -198,7 +198,7 @@ std::string notable_text(const std::vector<orthoball::NotableAlpha>& notables) {
 template <int D>
 std::string at_text(const Facts<D>& facts, const std::string& area_unit,
                     const std::string& volume_unit) {
-  const std::vector<std::string> nouns{"component", D == 3 ? "tunnel" : "hole", "void"};
+  const std::vector<std::string> nouns{"component", "tunnel", "void"};
   std::string text;
   for (std::size_t i = 0; i < facts.at.size(); ++i) {
     const auto& s = facts.at[i];

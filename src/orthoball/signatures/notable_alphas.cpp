@@ -109,13 +109,11 @@ NotableAlpha notable(const Filtration<D>& filtration, std::string name, std::str
   return {std::move(name), std::move(reason), index, alpha2, alpha_from_alpha2(alpha2)};
 }
 
-// [dimension of space - 2][k]
-constexpr std::array<std::array<const char*, 3>, 2> kGapReasons{
-    {{"longest stretch of alpha with one number of components, all vertices in",
-      "longest stretch of alpha with one number of holes, at least one", ""},
-     {"longest stretch of alpha with one number of components, all vertices in",
-      "longest stretch of alpha with one number of tunnels, at least one",
-      "longest stretch of alpha with one number of voids, at least one"}}};
+// [k]
+constexpr std::array<const char*, 3> kGapReasons{
+    "longest stretch of alpha with one number of components, all vertices in",
+    "longest stretch of alpha with one number of tunnels, at least one",
+    "longest stretch of alpha with one number of voids, at least one"};
 
 }  // namespace
 
@@ -158,8 +156,8 @@ std::vector<NotableAlpha> notable_alphas(const Filtration<D>& filtration) {
               solid),
       notable(filtration, "solid_from", "solid from here on", solid_from.first())};
   for (std::size_t k = 0; k < gaps.size(); ++k) {
-    result.push_back(notable(filtration, "gap_" + std::to_string(k),
-                             kGapReasons[static_cast<std::size_t>(D) - 2][k], gaps[k].longest()));
+    result.push_back(
+        notable(filtration, "gap_" + std::to_string(k), kGapReasons[k], gaps[k].longest()));
   }
   return result;
 }
