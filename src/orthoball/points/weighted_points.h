@@ -64,7 +64,7 @@ class WeightedPoints {
 
   /// Coordinate of one site in input units. Correctly rounded.
   [[nodiscard]] double coordinate(std::size_t row, int axis) const;
-  /// Weight of one site in input units squared. Error <= 1 ulp, for display; the exact number is
+  /// Weight of one site in input units squared. Off by a few ulps, for display; the exact number is
   /// in the arrays. Infinite where a radius squared is beyond the double range.
   [[nodiscard]] double weight(std::size_t row) const;
 

@@ -17,7 +17,7 @@ namespace orthoball {
 /// RegularTriangulation say; cells are connected and positively oriented; no vertex across a facet
 /// is in conflict with the cell behind it, the hull included (local regularity, which implies the
 /// global one); no hidden site is in conflict with the cell that contains it. At most 20 faults.
-/// O(n) exact tests.
+/// O(n) exact tests, and a walk for each hidden site.
 template <int D>
 [[nodiscard]] std::vector<std::string> verify(const RegularTriangulation<D>& triangulation,
                                               const WeightedPoints& points);
