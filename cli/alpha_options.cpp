@@ -55,13 +55,14 @@ void add_alpha_options(CLI::App& command, AlphaOptions& options, bool takes_list
                        const std::string& otherwise) {
   const std::string group = "Alpha";
   const std::string type = takes_list ? "X[,X...]" : "X";
-  auto* const alpha2 = command
-                           .add_option("--alpha2", options.alpha2,
-                                       std::string("signed squared radius [length^2]") +
-                                           (takes_list ? "" : ", or auto: see below") +
-                                           "\n(default: " + otherwise + ")")
-                           ->type_name(takes_list ? type : "X|auto")
-                           ->group(group);
+  auto* const alpha2 =
+      command
+          .add_option("--alpha2", options.alpha2,
+                      std::string("signed squared radius [length^2]") +
+                          (takes_list ? ", or auto, as in shape" : ", or auto: see below") +
+                          "\n(default: " + otherwise + ")")
+          ->type_name(takes_list ? type : "X|auto")
+          ->group(group);
   auto* const alpha = command
                           .add_option("--alpha", options.alpha,
                                       "signed radius [length]: alpha2 = X|X|, rounded once")
@@ -103,7 +104,20 @@ ChosenAlpha automatic_alpha(const Loaded& input) {
           fmt::format("alpha2 auto: {}, {}", taken.name, taken.reason)};
 }
 
-void check(const AlphaOptions& options) {
+void say_how(const InputOptions& options, const std::vector<ChosenAlpha>& chosen) {
+  for (const ChosenAlpha& alpha : chosen) {
+    if (!alpha.how.empty()) say(options, alpha.how);
+  }
+}
+
+void check(const AlphaOptions& options, bool takes_list) {
+  for (const std::string* text :
+       {&options.alpha2, &options.alpha, &options.inverse_alpha, &options.index}) {
+    if (!takes_list && text->find(',') != std::string::npos) {
+      throw UsageError(
+          fmt::format("\"{}\" is a list; this command takes one alpha", text->substr(0, 40)));
+    }
+  }
   for_each(options.alpha2, [](const std::string& text) {
     if (text != "auto") (void)alpha2_from_text("--alpha2", text);
   });

@@ -26,19 +26,23 @@ struct ChosenAlpha {
 };
 
 /// Declares --alpha2, --alpha, --inverse-alpha, --index on a command.
-/// @param takes_list  lists with commas instead of one value, and no `auto`.
+/// @param takes_list  lists with commas instead of one value.
 /// @param otherwise   what happens without any of them, for the help.
 void add_alpha_options(CLI::App& command, AlphaOptions& options, bool takes_list,
                        const std::string& otherwise);
 
 /// Looks at what was typed before any work is done; the range of an index is not known yet.
-/// @throws UsageError for a text that is not what the option takes.
-void check(const AlphaOptions& options);
+/// @throws UsageError for a text that is not what the option takes, and for a list where one value
+/// is taken.
+void check(const AlphaOptions& options, bool takes_list);
 
 /// The values that were asked for, in their order; none if none was.
 /// @throws UsageError for a text that is not what the option takes.
 [[nodiscard]] std::vector<ChosenAlpha> chosen_alphas(const AlphaOptions& options,
                                                      const Loaded& input);
+
+/// Says on standard error what `auto` stood for among `chosen`, unless --quiet.
+void say_how(const InputOptions& options, const std::vector<ChosenAlpha>& chosen);
 
 /// `--alpha2 auto`: the alpha that is worth looking at first.
 [[nodiscard]] ChosenAlpha automatic_alpha(const Loaded& input);

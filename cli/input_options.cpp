@@ -112,6 +112,10 @@ void add_input_options(CLI::App& command, InputOptions& options) {
       .add_flag("--no-limit", options.no_limit,
                 "also inputs over 1 GiB, or compressed by more than 200")
       ->group(group);
+  command.add_option("--threads", options.threads, "at most N threads; this version uses one")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber.description(""))
+      ->group(group);
   add_table_options(command, options);
   add_molecule_options(command, options);
   command.add_flag("--quiet", options.quiet, "no notes, warnings or progress on standard error")

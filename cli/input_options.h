@@ -14,6 +14,7 @@ struct InputOptions {
   orthoball::ReadOptions read;
   ProgressMode progress = ProgressMode::automatic;
   bool quiet = false;
+  unsigned threads = 1;  // an upper bound
 
   // As typed, made into `read` by load().
   std::string columns, chains, default_radius, hydrogens = "keep", ligands = "keep",

@@ -9,6 +9,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "cli/commands.h"
 #include "cli/usage_error.h"
@@ -44,6 +45,13 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() != 0) {
     std::string command;
     for (const CLI::App* sub : app.get_subcommands()) command = " " + sub->get_name();
+    const std::vector<std::string> unknown = app.remaining();
+    if (command.empty() && !unknown.empty()) {
+      return failed(kWrongUsage,
+                    fmt::format("there is no command or option \"{}\"; see orthoball --help",
+                                unknown.front()));
+    }
+    if (command.empty()) return failed(kWrongUsage, "a command is needed; see orthoball --help");
     return failed(kWrongUsage, std::string(error.what()) + "; see orthoball" + command + " --help");
   }
   app.exit(error);
@@ -78,7 +86,9 @@ void add_commands(CLI::App& app) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of writing: status 3
+  // A closed pipe and a file over the limit are errors of writing: status 3.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   std::ios::sync_with_stdio(false);
   CLI::App app("Every alpha shape of weighted points in the plane and in space, exactly.");
   try {

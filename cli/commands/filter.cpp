@@ -29,11 +29,11 @@ std::string format_of(const FilterOptions& options) {
 }
 
 void run(const FilterOptions& options) {
-  check(options.alpha);
+  check(options.alpha, false);
   Progress progress(options.input.progress, options.input.quiet);
   const Loaded input = load(options.input, progress);
   const auto chosen = chosen_alphas(options.alpha, input);
-  if (!chosen.empty() && !chosen[0].how.empty()) say(options.input, chosen[0].how);
+  say_how(options.input, chosen);
   const std::string format = format_of(options);
   progress.begin("writing");
   const std::size_t missing =

@@ -10,6 +10,7 @@
 #include "cli/alpha_options.h"
 #include "cli/commands.h"
 #include "cli/input_options.h"
+#include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/usage_error.h"
 #include "orthoball/output/mesh.h"
@@ -91,7 +92,7 @@ void report(const ShapeOptions& options, const ChosenAlpha& alpha, const orthoba
     json["singular"] = mesh.dimension == 3
                            ? nlohmann::ordered_json{isolated, singular_edges, singular_triangles}
                            : nlohmann::ordered_json{isolated, singular_edges};
-    const std::string text = json.dump() + "\n";
+    const std::string text = json_text(json) + "\n";
     write_output("-", "", [&](orthoball::ByteSink& sink) {
       sink.text(text);
       sink.flush();
@@ -123,13 +124,13 @@ void run(const ShapeOptions& options) {
   if (options.json && options.output == "-") {
     throw UsageError("shape --json: the report goes to standard output; the shape needs -o FILE");
   }
-  check(options.alpha);
+  check(options.alpha, false);
   Progress progress(options.input.progress, options.input.quiet);
   const Loaded input = load(options.input, progress);
   check_dimension(format, input.shapes.dimension());
   const auto given = chosen_alphas(options.alpha, input);
   const ChosenAlpha alpha = given.empty() ? automatic_alpha(input) : given[0];
-  if (!alpha.how.empty()) say(options.input, alpha.how);
+  say_how(options.input, {alpha});
 
   progress.begin("writing");
   const orthoball::ShapeMesh mesh = std::visit(

@@ -132,6 +132,7 @@ void write_table(const SignaturesOptions& options, const Loaded& input,
                  const orthoball::Filtration<D>& filtration) {
   const bool is_complete = !options.alpha.is_given() && !options.samples;
   const std::vector<ChosenAlpha> asked = asked_for(options, input, filtration.spectrum_size());
+  say_how(options.input, asked);
   const std::string format = format_of(options);
   const std::size_t missing =
       write_output(options.output, format == "json" ? "null" : "", [&](orthoball::ByteSink& sink) {
@@ -163,7 +164,7 @@ void run(const SignaturesOptions& options) {
   if (!options.plot.empty() && options.plot == options.output) {
     throw UsageError("--plot and -o name the same file; table and plot need one each");
   }
-  check(options.alpha);
+  check(options.alpha, true);
   (void)range_from_text(options.plot_range);
   Progress progress(options.input.progress, options.input.quiet);
   const Loaded input = load(options.input, progress);

@@ -12,6 +12,7 @@
 #include "cli/alpha_options.h"
 #include "cli/commands.h"
 #include "cli/input_options.h"
+#include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "orthoball/signatures/notable_alphas.h"
 #include "orthoball/signatures/signature.h"
@@ -123,19 +124,16 @@ Json json_report(const Loaded& input, const orthoball::Filtration<D>& filtration
 }
 
 // One key a line; of an array of objects one object.
-std::string json_text(const Json& json) {
-  const auto compact = [](const Json& value) {
-    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  };
+std::string json_report_text(const Json& json) {
   std::vector<std::string> lines;
   for (const auto& [key, value] : json.items()) {
-    std::string text = compact(value);
+    std::string text = json_text(value);
     if (value.is_array() && !value.empty() && value[0].is_object()) {
       std::vector<std::string> objects;
-      for (const Json& object : value) objects.push_back(compact(object));
+      for (const Json& object : value) objects.push_back(json_text(object));
       text = fmt::format("[\n    {}\n  ]", fmt::join(objects, ",\n    "));
     }
-    lines.push_back(fmt::format("  {}: {}", compact(key), text));
+    lines.push_back(fmt::format("  {}: {}", json_text(Json(key)), text));
   }
   return fmt::format("{{\n{}\n}}\n", fmt::join(lines, ",\n"));
 }
@@ -149,7 +147,7 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 std::string number_text(double number) {
-  return std::isfinite(number) ? fmt::format("{}", number + 0.0) : "beyond the double range";
+  return std::isfinite(number) ? fmt::format("{}", number + 0.0) : "beyond double range";
 }
 
 // 7 of the rows at most, and how many there are.
@@ -188,7 +186,7 @@ std::string notable_text(const std::vector<orthoball::NotableAlpha>& notables) {
                                  "alpha", "index", "why");
   for (const orthoball::NotableAlpha& notable : notables) {
     const auto shown = [&](double x) { return notable.index ? number_text(x) : "-"; };
-    text += fmt::format("  {:<21}{:>22} {:>22} {:>9}  {}\n", notable.name, shown(notable.alpha2),
+    text += fmt::format("  {:<21} {:>21} {:>22} {:>9}  {}\n", notable.name, shown(notable.alpha2),
                         shown(notable.alpha), notable.index ? std::to_string(*notable.index) : "-",
                         notable.reason);
   }
@@ -260,7 +258,7 @@ std::string text_report(const Loaded& input, const orthoball::Filtration<D>& fil
 }
 
 void run(const SummaryOptions& options) {
-  check(options.alpha);
+  check(options.alpha, true);
   Progress progress(options.input.progress, options.input.quiet);
   const Loaded input = load(options.input, progress, false);
   progress.begin("signatures");
@@ -268,9 +266,11 @@ void run(const SummaryOptions& options) {
   const bool is_json = options.json || options.format == "json";
   const std::string report = std::visit(
       [&]<int D>(const orthoball::Filtration<D>& filtration) {
-        const Facts<D> known = facts(filtration, chosen_alphas(options.alpha, input));
+        std::vector<ChosenAlpha> asked = chosen_alphas(options.alpha, input);
+        say_how(options.input, asked);
+        const Facts<D> known = facts(filtration, std::move(asked));
         if (!is_json) return text_report(input, filtration, known);
-        return json_text(json_report(input, filtration, known, missing));
+        return json_report_text(json_report(input, filtration, known, missing));
       },
       input.shapes.filtration());
   progress.end();

@@ -12,6 +12,7 @@ import json
 import math
 import os
 import pathlib
+import resource
 import struct
 import subprocess
 import sys
@@ -63,6 +64,7 @@ class ExitStatuses(InAFolder):
         for arguments in [
             [],
             ["no_such_command"],
+            ["summary", C60, "--threads", "0"],
             ["summary"],
             ["summary", C60, "--no-such-option"],
             ["summary", C60, "--dimension", "4"],
@@ -76,6 +78,7 @@ class ExitStatuses(InAFolder):
             ["signatures", C60, "--index", "-1"],
             ["signatures", C60, "--samples", "0"],
             ["signatures", C60, "--plot-range", "2,1", "--plot", self.folder / "x.svg"],
+            ["filter", C60, "--alpha2", "1,2"],
             ["shape", C60],
             ["shape", C60, "-o", self.folder / "surface"],
             ["shape", C60, "-o", self.folder / "surface.geojson"],
@@ -85,6 +88,15 @@ class ExitStatuses(InAFolder):
         ]:
             with self.subTest(arguments=arguments):
                 self.refused(2, *arguments)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_an_unknown_command_is_named(self):
+        self.assertIn('"no_such_command"', self.refused(2, "no_such_command", C60))
+
+    def test_a_file_over_the_limit_of_the_system_is_3(self):
+        output = self.folder / "filter.csv"
+        limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1024, 1024))
+        self.assertIn("filter.csv", self.refused(3, "filter", C60, "-o", output, preexec_fn=limit))
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_bad_data_is_1_and_names_file_and_line(self):
@@ -123,6 +135,13 @@ class ExitStatuses(InAFolder):
 
 
 class Files(InAFolder):
+    def test_the_picture_of_the_readme_is_what_the_program_draws(self):
+        plot = self.folder / "plot.svg"
+        self.done("signatures", SAMPLES / "linked_tori.csv", "-o", self.folder / "table.csv",
+                  "--plot", plot)
+        picture = ROOT / "docs" / "pictures" / "linked_tori.svg"
+        self.assertTrue(picture.read_bytes() == plot.read_bytes(), "make docs draws it anew")
+
     def test_an_output_appears_whole_or_not_at_all(self):
         broken = self.file("points.csv", "x,y,z\n1,2,3\n4,5\n")
         output = self.folder / "out.csv"

@@ -122,4 +122,11 @@ Columns chosen_columns(const std::string& file, const ReadOptions& options,
   return chosen;
 }
 
+int dimension_without_rows(const ReadOptions& options, std::span<const std::string> names) {
+  if (options.dimension) return *options.dimension;
+  if (!options.columns.empty()) return static_cast<int>(options.columns.size());
+  const auto named = named_coordinates({names, names.size(), 0, 0}, std::nullopt);
+  return named.empty() ? 3 : static_cast<int>(named.size());
+}
+
 }  // namespace orthoball

@@ -37,4 +37,8 @@ struct TableShape {
 [[nodiscard]] Columns chosen_columns(const std::string& file, const ReadOptions& options,
                                      const TableShape& shape);
 
+/// The dimension of a table without rows, by the same rules: 3 where nothing tells it.
+[[nodiscard]] int dimension_without_rows(const ReadOptions& options,
+                                         std::span<const std::string> names);
+
 }  // namespace orthoball

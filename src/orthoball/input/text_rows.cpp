@@ -103,7 +103,7 @@ void TextRows::add(std::size_t line, std::span<const std::string_view> fields) {
 
 Reading TextRows::reading() && {
   if (lines_.empty()) {
-    rows_ = DecimalRows(options_.dimension.value_or(3), WeightKind::none);
+    rows_ = DecimalRows(dimension_without_rows(options_, names_), WeightKind::none);
     columns_.radii = "none";
   }
   Reading reading{.points = std::move(rows_).points(), .radii = columns_.radii};

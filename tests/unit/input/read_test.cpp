@@ -95,6 +95,19 @@ TEST(Read, AFileWithoutSitesIsAnErrorUnlessAllowed) {
   EXPECT_EQ(error_of("a.csv", "x,y,z\n", {.allow_empty = true}), "");
 }
 
+TEST(Read, ATableWithoutRowsHasTheDimensionOfItsHeader) {
+  const TemporaryFolder folder;
+  const auto dimension = [&](const std::string& text, std::vector<std::string> columns) {
+    ReadOptions options{.allow_empty = true};
+    options.columns = std::move(columns);
+    return read(folder.file("a.csv", text), options).points.dimension();
+  };
+  EXPECT_EQ(dimension("lat,lon\n", {}), 2);
+  EXPECT_EQ(dimension("x,y,z\n", {}), 3);
+  EXPECT_EQ(dimension("", {}), 3);
+  EXPECT_EQ(dimension("", {"1", "2"}), 2);
+}
+
 TEST(Read, TextFormatsRefuseOtherBytes) {
   EXPECT_NE(error_of("a.csv", std::string("1,2\n3,\0", 7)).find(".csv:2: a NUL byte"),
             std::string::npos);
