@@ -48,6 +48,11 @@ std::string error_of(const std::string& name, const std::string& bytes,
   return {};
 }
 
+TEST(Read, ABallWithoutRadiusIsAFaultOfTheFileAtItsLine) {
+  const std::string error = error_of("a.xyzr", "# balls\n\n1 2 3\n");
+  EXPECT_NE(error.find("a.xyzr:3: fewer than four columns"), std::string::npos) << error;
+}
+
 TEST(Read, TheFileNameTellsTheFormat) {
   EXPECT_EQ(format_of("a.csv", "1,2,3\n"), "table");
   EXPECT_EQ(format_of("A.TXT", "1 2 3\n"), "table");
