@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// Every simplex once. Facets are met at their smaller cell, edges in space at the smallest cell of
-// their ring: cells are taken in ascending order, and whichever of a cell's six edges has no number
-// yet is numbered by walking its ring once, which writes the number into every cell around it.
-// When an edge is met at a cell, all other cells of its ring are larger, for a smaller one would
-// have numbered it; so owning needs no comparison. Each ring is walked once: linear time.
+// Every simplex once. A facet is met at its smaller cell, an edge in space at the smallest cell
+// around it (edge_numbers.h). Who owns what is a set of bits, whose ranks are the numbers.
 #include "orthoball/filtration/simplex_table.h"
 
 #include <algorithm>
-#include <bit>
 #include <string>
 #include <utility>
 
 #include "orthoball/error.h"
 #include "orthoball/filtration/affine_dimension.h"
+#include "orthoball/filtration/edge_numbers.h"
 #include "orthoball/filtration/edge_ring.h"
 
 namespace orthoball {
 namespace {
-
-constexpr std::uint32_t kUnnumbered = 0xFFFFFFFFU;
 
 void require_numbers(std::size_t simplices) {
   if (simplices >= 0xFFFFFFFFU) {
@@ -86,31 +81,23 @@ SimplexTable<D>::SimplexTable(const RegularTriangulation<D>& triangulation,
 template <int D>
 template <int A>
 void SimplexTable<D>::add_facets(std::span<const CellRecord<A>> cells) {
-  // A hull facet has one cell, every other two.
-  std::size_t facets = 0;
+  owned_facets_ = RankedBits(4 * cells.size());
   for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
-    facets += count_of_four(owned_facets(cells[cell], cell));
-  }
-  require_numbers(facets + cells.size());
-  facet_owners_.resize(facets);
-  if constexpr (A == 1) {  // facets are vertices, which have their numbers
-    for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
-      const unsigned owned = owned_facets(cells[cell], cell);
-      for (unsigned corner = 0; corner < 2; ++corner) {
-        if ((owned >> corner & 1U) == 0) continue;
-        facet_owners_[cells[cell].corners[1 - corner]] = 4 * cell + corner;
-      }
-    }
-    return;
-  }
-  first_facet_.resize(cells.size());
-  std::uint32_t next = 0;
-  for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
-    first_facet_[cell] = next;
-    const unsigned owned = owned_facets(cells[cell], cell);
     for (unsigned corner = 0; corner <= A; ++corner) {
-      if ((owned >> corner & 1U) != 0) facet_owners_[next++] = 4 * cell + corner;
+      // kOutside is larger than any cell, too.
+      if (cells[cell].neighbours[corner] / 4 > cell) owned_facets_.add(4 * cell + corner);
     }
+  }
+  const std::size_t facets = owned_facets_.count_all();
+  require_numbers(facets + cells.size());
+  if constexpr (A == 1) {  // facets are vertices, which have their numbers
+    facet_owners_.resize(facets);
+    owned_facets_.for_each([&](std::uint32_t owner) {
+      facet_owners_[cells[owner / 4].corners[1 - owner % 4]] = owner;
+    });
+  } else {
+    facet_owners_.reserve(facets);
+    owned_facets_.for_each([&](std::uint32_t owner) { facet_owners_.push_back(owner); });
   }
 }
 
@@ -121,27 +108,12 @@ void SimplexTable<D>::add_edges(std::span<const CellRecord<3>> cells,
     throw LimitError("the triangulation has " + std::to_string(cells.size()) +
                      " tetrahedra; at most 715827881 can be handled");
   }
-  std::array<std::uint32_t, 6> unnumbered{};
-  unnumbered.fill(kUnnumbered);
-  edges_of_cells.assign(cells.size(), unnumbered);
-  first_edge_.resize(cells.size());
-  owned_edges_.resize(cells.size());
-  edge_owners_.reserve(cells.size() + cells.size() / 5);  // vertices + tetrahedra, about
-  for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
-    first_edge_[cell] = static_cast<std::uint32_t>(edge_owners_.size());
-    unsigned owned = 0;
-    for (unsigned slot = 0; slot < 6; ++slot) {
-      if (edges_of_cells[cell][slot] != kUnnumbered) continue;
-      const auto edge = static_cast<std::uint32_t>(edge_owners_.size());
-      owned |= 1U << slot;
-      edge_owners_.push_back(6 * cell + slot);
-      for_each_around_edge(cells, cell, slot, [&](std::uint32_t around, unsigned slot_there) {
-        edges_of_cells[around][slot_there] = edge;
-      });
-    }
-    owned_edges_[cell] = static_cast<std::uint8_t>(owned);
-  }
-  edge_owners_.shrink_to_fit();
+  EdgeNumbers edges = edge_numbers(cells);
+  edges_of_cells = std::move(edges.of_cells);
+  edge_owners_ = std::move(edges.owners);
+  owned_edges_ = RankedBits(6 * cells.size());
+  for (const std::uint32_t owner : edge_owners_) owned_edges_.add(owner);
+  owned_edges_.count_all();
 }
 
 template <int D>
@@ -182,8 +154,7 @@ std::uint32_t SimplexTable<D>::edge_of_cell(std::span<const CellRecord<3>> cells
     owner = around;
     slot_there = around_slot;
   });
-  const unsigned before = owned_edges_[owner] & ((1U << slot_there) - 1U);
-  return first_edge_[owner] + static_cast<std::uint32_t>(std::popcount(before));
+  return owned_edges_.rank(6 * owner + slot_there);
 }
 
 template <int D>

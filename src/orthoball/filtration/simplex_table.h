@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "orthoball/filtration/ranked_bits.h"
 #include "orthoball/ids.h"
 #include "orthoball/triangulation/regular_triangulation.h"
 
@@ -36,23 +37,6 @@ class FewOf {
   std::size_t size_ = 0;
 };
 
-/// Bit i: the cell owns its facet opposite corner i, being the smaller of the two cells beside it.
-template <int A>
-[[nodiscard]] inline unsigned owned_facets(const CellRecord<A>& record, std::uint32_t cell) {
-  unsigned mask = 0;
-  for (unsigned corner = 0; corner <= A; ++corner) {
-    const bool owns = record.neighbours[corner] == kOutside || record.neighbours[corner] / 4 > cell;
-    mask |= static_cast<unsigned>(owns) << corner;
-  }
-  return mask;
-}
-
-/// Number of bits of a mask of at most four: without an instruction that older machines lack.
-[[nodiscard]] constexpr std::uint32_t count_of_four(unsigned mask) {
-  constexpr std::uint64_t kCounts = 0x4332322132212110U;  // [mask], four bits each
-  return static_cast<std::uint32_t>(kCounts >> (4 * mask)) & 15U;
-}
-
 /// Every simplex of a regular triangulation, once, with its faces and cofaces one dimension apart.
 ///
 /// A SimplexId counts the vertices first (vertex v is simplex v), then the edges, the triangles,
@@ -60,7 +44,7 @@ template <int A>
 /// space have near numbers. A facet is owned by the smaller of its two cells, an edge in space by
 /// the smallest cell around it. For sites that span less than R^D the dimensions above are empty.
 ///
-/// O(n) time for n simplices, no hashing; 22 bytes a tetrahedron. Does not own the triangulation:
+/// O(n) time for n simplices, no hashing; 15 bytes a tetrahedron. Does not own the triangulation:
 /// its member functions take the one it was made from. Immutable; any number of threads may read.
 template <int D>
 class SimplexTable {
@@ -111,12 +95,7 @@ class SimplexTable {
                                             std::uint32_t cell, unsigned corner) const {
     if constexpr (A == 1) return cells[cell].corners[1 - corner];
     const std::uint32_t beyond = cells[cell].neighbours[corner];
-    if (beyond != kOutside && beyond / 4 < cell) {
-      cell = beyond / 4;
-      corner = beyond % 4;
-    }
-    const unsigned before = owned_facets(cells[cell], cell) & ((1U << corner) - 1U);
-    return first_facet_[cell] + count_of_four(before);
+    return owned_facets_.rank(beyond / 4 < cell ? beyond : 4 * cell + corner);
   }
   /// [facet]: 4 * cell + corner, the owner of a facet and the corner opposite.
   [[nodiscard]] const std::vector<std::uint32_t>& facet_owners() const { return facet_owners_; }
@@ -129,14 +108,11 @@ class SimplexTable {
   void add_edges(std::span<const CellRecord<3>> cells, EdgesOfCells& edges_of_cells);
   [[nodiscard]] std::uint32_t edge_of_cell(std::span<const CellRecord<3>> cells, std::uint32_t cell,
                                            unsigned slot) const;
-  [[nodiscard]] FewOf<SimplexId, D> facets_of_cell(const RegularTriangulation<D>& triangulation,
-                                                   std::uint32_t cell) const;
 
   std::array<std::uint32_t, static_cast<std::size_t>(D) + 2> first_{};
-  std::vector<std::uint32_t> first_facet_;   // [cell]: number of the first facet it owns
+  RankedBits owned_facets_;                  // 4 * cell + corner opposite: the owners
   std::vector<std::uint32_t> facet_owners_;  // [facet]
-  std::vector<std::uint32_t> first_edge_;    // [cell]: number of the first edge it owns
-  std::vector<std::uint8_t> owned_edges_;    // [cell]: bit per slot
+  RankedBits owned_edges_;                   // 6 * cell + slot: the owners
   std::vector<std::uint32_t> edge_owners_;   // [edge]
 };
 
