@@ -8,6 +8,7 @@
 // error-free products and a certified rounding is the correct one, so machines cannot differ.
 #include "orthoball/exact/certified_label.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -41,8 +42,8 @@ template <class Number, std::size_t Size>
 template <class Products>
 struct BoundedValue {
   DoubleDoubleOf<Products> value;
-  double error;    // |value - true value| is less
-  int is_bounded;  // whether that can be said
+  double error;      // |value - true value| is less
+  double certainty;  // positive where that can be said
 };
 
 // Of simplex `i` of a block. Not bounded where the simplex is outside the range of the bounds, or
@@ -108,38 +109,42 @@ template <class Length, class Products, int D, std::size_t Corners>
                                  3 * kPairRounding * (x.high + std::abs(product.high));
   const double error = 1.001 * (numerator_error / denominator.high +
                                 std::abs(value.high) * (y_error / y.high + 4 * kPairRounding));
-  const int is_bounded = static_cast<int>(y_error < 0x1p-20 * y.high) &  // else nearly flat
-                         static_cast<int>(lost == 0.0) & static_cast<int>(size.in_range);
-  return {value, error, is_bounded};
+  const double flatness = 0x1p-20 * y.high - y_error;  // not positive where nearly flat
+  const double certainty = lost > 0.0 ? -1.0 : std::min(flatness, size.margin);
+  return {value, error, certainty};
 }
 
 // Labels within can be scaled without rounding.
-[[nodiscard, gnu::always_inline]] inline int is_in_label_range(double label) {
-  return static_cast<int>(std::abs(label) > 0x1p-1000) &
-         static_cast<int>(std::abs(label) < 0x1p+1000);
-}
+constexpr double kLeastLabel = 0x1p-1000;
+constexpr double kMostLabel = 0x1p+1000;
 
 // The same correctly rounded in input units; NaN where every number within the error does not round
-// to the same, or no error is known.
+// to the same, or no error is known. One condition after the other, as vector instructions choose.
 template <class Length, class Products, int D, std::size_t Corners>
 [[nodiscard, gnu::always_inline]] inline double certified_label_of(
     const CornerBlock<D, Corners>& block, std::size_t i, const LabelUnit& unit) {
-  const auto [value, error, is_bounded] = bounded_value_of<Length, Products>(block, i, unit);
-  const double label = value.high * unit.scale;
-  const int is_certain = static_cast<int>(value.high + (value.low - error) == value.high) &
-                         static_cast<int>(value.high + (value.low + error) == value.high) &
-                         is_bounded & is_in_label_range(label);
-  return is_certain != 0 ? label : std::numeric_limits<double>::quiet_NaN();
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const auto [value, error, certainty] = bounded_value_of<Length, Products>(block, i, unit);
+  double label = value.high * unit.scale;
+  label = certainty > 0.0 ? label : kNone;
+  label = std::abs(label) > kLeastLabel ? label : kNone;
+  label = std::abs(label) < kMostLabel ? label : kNone;
+  label = value.high + (value.low - error) == value.high ? label : kNone;
+  label = value.high + (value.low + error) == value.high ? label : kNone;
+  return label;
 }
 
 // The labels of a block where all differences of coordinates are doubles, as nearly always. The
 // same numbers whatever the machine: both kinds of products are exact, and so is the rounding.
 template <class Products, int D, std::size_t Corners>
-[[gnu::always_inline]] inline void label_block(const CornerBlock<D, Corners>& block,
-                                               const LabelUnit& unit, double* labels) {
-  for (std::size_t i = 0; i < CornerBlock<D, Corners>::kSize; ++i) {
-    labels[i] = certified_label_of<ExactDoubleOf<Products>, Products>(block, i, unit);
+[[gnu::always_inline]] inline void label_block(const CornerBlock<D, Corners>& block, LabelUnit unit,
+                                               double* labels) {
+  // Nothing else can refer to this array, which the loop needs to know.
+  std::array<double, CornerBlock<D, Corners>::kSize> found;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    found[i] = certified_label_of<ExactDoubleOf<Products>, Products>(block, i, unit);
   }
+  std::copy(found.begin(), found.end(), labels);
 }
 
 template <int D, std::size_t Corners>
@@ -183,9 +188,9 @@ double certified_label_of_one(const CornerBlock<D, Corners>& block, const LabelU
 template <int D, std::size_t Corners>
 Bounds label_remainder_of_one(const CornerBlock<D, Corners>& block, const LabelUnit& unit,
                               double label) {
-  const auto [value, error, is_bounded] =
+  const auto [value, error, certainty] =
       bounded_value_of<DoubleDoubleOf<SplitProducts>, SplitProducts>(block, 0, unit);
-  if ((is_bounded & is_in_label_range(label)) == 0) {
+  if (!(certainty > 0.0 && std::abs(label) > kLeastLabel && std::abs(label) < kMostLabel)) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return {-kInfinity, kInfinity};
   }

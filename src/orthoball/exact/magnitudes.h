@@ -20,7 +20,7 @@ template <int D, std::size_t Corners>
 struct Magnitudes {
   std::array<double, Corners - 1> edges;   ///< largest coordinate
   std::array<double, Corners - 1> powers;  ///< |edge|^2 + |w_0 - w_i|, or more
-  bool in_range;
+  double margin;                           ///< positive where the edges are in range
 
   /// @param weight_magnitude  what the error of a weights' difference is a few roundings of, in
   ///                          addition to the difference itself
@@ -37,8 +37,7 @@ struct Magnitudes {
       shortest = std::min(shortest, largest);
       longest = std::max(longest, largest);
     });
-    in_range = static_cast<bool>(static_cast<int>(shortest > kShortestEdge) &
-                                 static_cast<int>(longest < kLongestEdge));
+    margin = std::min(shortest - kShortestEdge, kLongestEdge - longest);
   }
 
   /// Of a component of the vector x of orthocentre_formulas.h.

@@ -97,30 +97,37 @@ template <class Number, class Length, int D, std::size_t Corners>
 }
 
 /// Positive multiples of the barycentric coordinates of the orthocentre, [corner].
+///
+/// A triangle's need no more than the products of its edges: from z . u = a / 2, z . v = b / 2,
+/// times 2 |y|^2, that of the second corner is a |v|^2 - b u . v, and |y|^2 = |u|^2 |v|^2 - (u .
+/// v)^2.
 template <class Number, int D, std::size_t Corners>
-[[nodiscard]] std::array<Number, Corners> orthocentre_coordinates(
+[[nodiscard, gnu::always_inline]] inline std::array<Number, Corners> orthocentre_coordinates(
     const CornerDifferences<Number, Number, D, Corners>& simplex) {
   std::array<Number, Corners> result;
   const auto& edges = simplex.edges;
+  const auto& powers = simplex.powers;
   if constexpr (Corners == 2) {
-    result[1] = simplex.powers[0];
+    result[1] = powers[0];
     result[0] = dot_product(edges[0], edges[0]);
+  } else if constexpr (Corners == 3) {
+    const auto uu = dot_product(edges[0], edges[0]);
+    const auto vv = dot_product(edges[1], edges[1]);
+    const auto uv = dot_product(edges[0], edges[1]);
+    result[1] = powers[0] * vv - powers[1] * uv;
+    result[2] = powers[1] * uu - powers[0] * uv;
+    result[0] = uu * vv - uv * uv;
   } else {
     const auto vectors = orthocentre_vectors(simplex);
-    if constexpr (Corners == 3) {
-      result[1] = dot_product(vectors.x, edges[1]);
-      result[2] = -dot_product(vectors.x, edges[0]);
-    } else {
-      result[1] = dot_product(vectors.x, cross_product(edges[1], edges[2]));
-      result[2] = dot_product(vectors.x, cross_product(edges[2], edges[0]));
-      result[3] = dot_product(vectors.x, cross_product(edges[0], edges[1]));
-    }
-    result[0] = dot_product(vectors.y, vectors.y);
+    result[1] = dot_product(vectors.x, cross_product(edges[1], edges[2]));
+    result[2] = dot_product(vectors.x, cross_product(edges[2], edges[0]));
+    result[3] = dot_product(vectors.x, cross_product(edges[0], edges[1]));
+    result[0] = vectors.y[0] * vectors.y[0];
   }
   result[0] = result[0] + result[0];
-  for (std::size_t corner = 1; corner < Corners; ++corner) {
-    result[0] = result[0] - result[corner];
-  }
+  unrolled<Corners - 1>([&](std::size_t i) __attribute__((always_inline)) {
+    result[0] = result[0] - result[i + 1];
+  });
   return result;
 }
 

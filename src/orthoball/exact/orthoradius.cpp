@@ -22,41 +22,12 @@
 #include "orthoball/exact/error_free.h"
 #include "orthoball/exact/floating_point.h"
 #include "orthoball/exact/integer_simplex.h"
-#include "orthoball/exact/magnitudes.h"
 #include "orthoball/exact/orthocentre_formulas.h"
+#include "orthoball/exact/orthocentre_signs.h"
 #include "orthoball/exact/rounded_quotient.h"
 
 namespace orthoball {
 namespace {
-
-// --- attached or not ---------------------------------------------------------------------------
-
-// Roundings on the longest path to one of orthocentre_coordinates, and a few for the bound itself.
-constexpr double kCoordinateError = 40 * kRounding;
-
-// Magnitudes of orthocentre_coordinates, one bound for all.
-template <int D, std::size_t Corners>
-double coordinate_magnitude(const Magnitudes<D, Corners>& size) {
-  if constexpr (Corners == 2) {
-    return size.powers[0] + 6 * size.edges[0] * size.edges[0];
-  } else {
-    const double x = size.x();
-    const double y = size.y();
-    if constexpr (Corners == 3) return 3 * x * (size.edges[0] + size.edges[1]) + 6 * y * y;
-    if constexpr (Corners == 4) {
-      const double cross = size.edges[1] * size.edges[2] + size.edges[2] * size.edges[0] +
-                           size.edges[0] * size.edges[1];
-      return 6 * x * cross + 2 * y * y;
-    }
-  }
-}
-
-template <std::size_t Corners>
-unsigned negative_bits(const std::array<double, Corners>& coordinates) {
-  unsigned mask = 0;
-  for (unsigned i = 0; i < Corners; ++i) mask |= static_cast<unsigned>(coordinates[i] < 0) << i;
-  return mask;
-}
 
 // --- labels ------------------------------------------------------------------------------------
 
@@ -141,28 +112,16 @@ namespace orthoradius_stages {
 template <int D, std::size_t Corners>
 std::optional<unsigned> filtered_attached_facets(const Sites<D>& sites,
                                                  const CornerSites<Corners>& simplex) {
-  CornerDifferences<double, double, D, Corners> differences;
-  std::array<double, Corners - 1> weight_differences;
-  const Site<D>& origin = sites[simplex[0]];
-  for (std::size_t i = 0; i + 1 < Corners; ++i) {
-    const Site<D>& site = sites[simplex[i + 1]];
-    auto& edge = differences.edges[i];
-    for (std::size_t axis = 0; axis < D; ++axis) edge[axis] = site.x[axis] - origin.x[axis];
-    weight_differences[i] = origin.weight - site.weight;
-    differences.powers[i] = dot_product(edge, edge) + weight_differences[i];
+  std::array<std::array<double, std::size_t{D}>, Corners> x;
+  std::array<double, Corners> weights;
+  for (std::size_t corner = 0; corner < Corners; ++corner) {
+    const Site<D>& site = sites[simplex[corner]];
+    std::copy_n(site.x, D, x[corner].begin());
+    weights[corner] = site.weight;
   }
-  const Magnitudes<D, Corners> size(differences.edges, weight_differences,
-                                    2 * sites.weight_error() / kRounding);
-  if (!size.in_range) return std::nullopt;
-  const auto coordinates = orthocentre_coordinates(differences);
-  const double magnitude = coordinate_magnitude(size);
-  // Integers this small are never rounded.
-  if (sites.is_integral() && magnitude < 0x1p+53) return negative_bits(coordinates);
-  const double error = kCoordinateError * magnitude;
-  for (const double coordinate : coordinates) {
-    if (!(std::abs(coordinate) > error)) return std::nullopt;
-  }
-  return negative_bits(coordinates);
+  const OrthocentreSigns signs = orthocentre_signs<D, Corners>(x, weights, sign_tolerance(sites));
+  if (!(signs.certainty > 0.0)) return std::nullopt;
+  return static_cast<unsigned>(signs.beyond);
 }
 
 template <int D, std::size_t Corners>
