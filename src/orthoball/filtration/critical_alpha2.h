@@ -16,15 +16,17 @@ struct CriticalAlpha2 {
   std::vector<double> spectrum;        ///< [index - 1]: correctly rounded labels, length^2 of input
   std::vector<bool> is_attached;       ///< [simplex]
   std::vector<std::uint32_t> enters;   ///< [simplex]
-  std::vector<std::uint32_t> regular;  ///< [simplex below affine_dimension()]
-  std::vector<std::uint32_t> interior;  ///< [simplex below affine_dimension()]
+  std::vector<std::uint32_t> regular;  ///< [simplex]: first proper coface; see below
+  std::vector<std::uint32_t> interior;  ///< [simplex]: last cell around it; see below
 };
 
 /// Attachment, order and the three indices of every simplex. Exact; the labels only are rounded.
 ///
+/// `regular` and `interior` end before the facets of the cells where these are of full dimension:
+/// the two cells beside a facet tell them. They end before the cells otherwise.
+///
 /// @param edges_of_cells  what the table gave with it; read where the cells are tetrahedra.
-/// Linear but for sorting the unattached simplices; 12 bytes of transient memory for each, 24 more
-/// where many different values share a label.
+/// Costs what ValueRanks does, the rest is linear.
 template <int D>
 [[nodiscard]] CriticalAlpha2 critical_alpha2(
     const RegularTriangulation<D>& triangulation, const SimplexTable<D>& table,
