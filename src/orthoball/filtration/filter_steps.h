@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "orthoball/filtration/filtration.h"
 
@@ -15,12 +14,12 @@ template <int D>
 using ByDimension = std::array<std::uint32_t, static_cast<std::size_t>(D) + 1>;
 
 /// The filter cut into the steps from each alpha complex to the next: which part of it enters at
-/// each index, and how many simplices of each dimension. Linear in the simplices; one bit each.
+/// each index, and how many simplices of each dimension. Linear in the simplices.
 template <int D>
 class FilterSteps {
  public:
   /// Begins at index 0, the empty complex. Keeps a reference to the filtration.
-  explicit FilterSteps(const Filtration<D>& filtration);
+  explicit FilterSteps(const Filtration<D>& filtration) : filtration_(&filtration) {}
 
   /// Goes on to the next index; false, and nothing happens, behind the last.
   bool next();
@@ -33,7 +32,6 @@ class FilterSteps {
 
  private:
   const Filtration<D>* filtration_;
-  std::vector<std::uint64_t> starts_;  // bit per position: the first of its index
   std::uint32_t index_ = 0;
   std::size_t end_ = 0;
   ByDimension<D> entering_{};

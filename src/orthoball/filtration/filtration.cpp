@@ -16,7 +16,9 @@ void sum_before(std::span<std::uint32_t> counts) {
 
 // Simplices by (enters, number), and numbers ascend with dimensions: two stable counting sorts, by
 // the upper half of the index, then within each bucket by the lower half, which stays in the cache.
-std::vector<SimplexId> sorted_by(std::span<const std::uint32_t> enters, std::uint32_t indices) {
+// Sets the bit of each position in `starts` at which an index starts.
+std::vector<SimplexId> sorted_by(std::span<const std::uint32_t> enters, std::uint32_t indices,
+                                 std::vector<std::uint64_t>& starts) {
   std::vector<std::uint32_t> first((indices >> 16U) + 2, 0);
   for (const std::uint32_t index : enters) ++first[index >> 16U];
   sum_before(first);
@@ -36,6 +38,10 @@ std::vector<SimplexId> sorted_by(std::span<const std::uint32_t> enters, std::uin
     next.assign(std::size_t{1} << 16U, 0);
     for (std::size_t i = 0; i < bucket.size(); ++i) ++next[lower[first[upper] + i]];
     sum_before(next);
+    for (std::uint32_t start : next) {
+      start += first[upper];
+      starts[start / 64] |= std::uint64_t{1} << start % 64;
+    }
     for (std::size_t i = 0; i < bucket.size(); ++i) {
       begin[next[lower[first[upper] + i]]++] = bucket[i];
     }
@@ -53,7 +59,8 @@ Filtration<D>::Filtration(RegularTriangulation<D> triangulation)
     table_ = SimplexTable<D>(triangulation_, edges_of_cells);
     critical_ = critical_alpha2(triangulation_, table_, edges_of_cells);
   }
-  filter_ = sorted_by(critical_.enters, spectrum_size());
+  index_starts_.assign(size() / 64 + 1, 0);
+  filter_ = sorted_by(critical_.enters, spectrum_size(), index_starts_);
 }
 
 template <int D>

@@ -110,6 +110,11 @@ class Filtration {
 
   /// All simplices by (enters, dimension, number): every prefix is a complex.
   [[nodiscard]] std::span<const SimplexId> filter() const { return filter_; }
+  /// Whether the simplex at a position of filter(), from 0, is the first to enter at its index.
+  /// True of the position behind the last.
+  [[nodiscard]] bool starts_index(std::size_t position) const {
+    return (index_starts_[position / 64] >> position % 64 & 1U) != 0;
+  }
   /// Length of the prefix of filter() that is K_index. O(log n).
   [[nodiscard]] std::size_t complex_size(std::uint32_t index) const;
   /// filter() with ties (equal index and dimension) in ascending order of rows(): the order of all
@@ -134,7 +139,8 @@ class Filtration {
   RegularTriangulation<D> triangulation_;
   SimplexTable<D> table_;
   CriticalAlpha2 critical_;
-  std::vector<SimplexId> filter_;  // [position]
+  std::vector<SimplexId> filter_;               // [position]
+  std::vector<std::uint64_t> index_starts_{1};  // bit per position, see starts_index
 };
 
 extern template class Filtration<2>;  // defined in filtration.cpp
