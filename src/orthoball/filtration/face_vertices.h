@@ -34,8 +34,8 @@ template <std::size_t N, int D>
     const std::uint32_t owner = table.edge_owners()[face.row() - table.first(1)];
     const CellRecord<D>& record = cells[owner / 6];
     const auto [i, j] = kEdgeCorners[owner % 6];
-    const auto [smaller, larger] = std::minmax(record.corners[i], record.corners[j]);
-    result = {smaller, larger};
+    const std::uint32_t a = record.corners[i], b = record.corners[j];
+    result = {std::min(a, b), std::max(a, b)};
   }
   return result;
 }

@@ -1,48 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "orthoball/filtration/filter_steps.h"
 #include "orthoball/filtration/filtration.h"
+#include "orthoball/filtration/index_counts.h"
 
 namespace orthoball {
 
-/// How often each index occurs in a list, read in ascending order. One byte an index and four for
-/// every 256 occurrences: an index occurs a few times where there are many of them.
-class IndexHistogram {
- public:
-  IndexHistogram() = default;
-  /// For indices 0..largest.
-  explicit IndexHistogram(std::uint32_t largest) : counts_(std::size_t{largest} + 1, 0) {}
-
-  void add(std::uint32_t index) {
-    if (++counts_[index] == 0) carries_.push_back(index);
-  }
-  /// To be called once between the last `add` and the first `count`.
-  void finish() { std::sort(carries_.begin(), carries_.end()); }
-  /// Occurrences of `index`; calls must ascend.
-  [[nodiscard]] std::uint32_t count(std::uint32_t index) {
-    std::uint32_t total = counts_[index];
-    for (; next_carry_ < carries_.size() && carries_[next_carry_] == index; ++next_carry_) {
-      total += 256;
-    }
-    return total;
-  }
-
- private:
-  std::vector<std::uint8_t> counts_;    // [index], modulo 256
-  std::vector<std::uint32_t> carries_;  // the index whose count has overflowed, once each time
-  std::size_t next_carry_ = 0;
-};
-
 /// The numbers of simplices by role in the alpha complexes of a filtration, one after the other.
 ///
-/// Exact. Linear in the simplices; 2 D bytes an index of the spectrum.
+/// Exact. Linear in the simplices; four bytes for each below D - 1 and two for each facet.
 template <int D>
 class RoleCounts {
  public:
@@ -74,7 +45,8 @@ class RoleCounts {
 
   std::uint32_t index_ = 0;
   ByDimension<D> total_{}, entered_{}, regular_ever_{}, interior_{};
-  std::array<IndexHistogram, static_cast<std::size_t>(D)> becoming_regular_, becoming_interior_;
+  std::array<IndexCounts, std::size_t{D} - 1> becoming_regular_;
+  std::array<IndexCounts, std::size_t{D}> becoming_interior_;
 };
 
 extern template class RoleCounts<2>;  // defined in role_counts.cpp

@@ -11,156 +11,122 @@
 // Delfinado, Edelsbrunner. An incremental algorithm for Betti numbers of simplicial complexes on
 // the 3-sphere. Computer Aided Geometric Design 12 (1995).
 //
-// Simplices near in the filter are far apart in memory. So they are taken in blocks, and each step
-// of the way to their entries in the union-find is prefetched for a whole block at once.
+// So the edges that join are a minimum spanning forest of the vertices, weighted by their place in
+// the filter, and the triangles that cut are a maximum one of the cells and the outside. Both are
+// found along space instead of along the filter, in which neighbours are far apart in memory.
 #include "orthoball/topology/betti.h"
 
-#include <algorithm>
-#include <bit>
+#include <limits>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "orthoball/error.h"
 #include "orthoball/filtration/face_vertices.h"
-#include "orthoball/topology/union_find.h"
+#include "orthoball/topology/spanning_forest.h"
 
 namespace orthoball {
 namespace {
 
-constexpr std::size_t kBlock = 256;
+using Ends = std::pair<std::uint32_t, std::uint32_t>;
 
-// The simplices of one dimension in a stretch of the filter, with two nodes to join for each.
-struct Block {
-  std::array<std::size_t, kBlock> position;
-  std::array<std::uint32_t, kBlock> simplex;
-  std::array<std::uint32_t, kBlock> a, b;
-  std::size_t size = 0;
+// Vertices and edges; the first edge of the filter is the least.
+template <int D>
+struct Components {
+  const Filtration<D>& filtration;
 
-  void push(std::size_t at, std::uint32_t id) {
-    position[size] = at;
-    simplex[size] = id;
-    ++size;
+  [[nodiscard]] std::uint32_t node_count() const {
+    return static_cast<std::uint32_t>(filtration.count(0));
   }
+  [[nodiscard]] std::uint32_t edge_count() const {
+    return static_cast<std::uint32_t>(filtration.count(1));
+  }
+  [[nodiscard]] Ends ends(std::uint32_t edge) const {
+    const auto vertices = face_vertices<2>(filtration, simplex(edge));
+    return {vertices[0], vertices[1]};
+  }
+  [[nodiscard]] std::uint32_t weight(std::uint32_t edge) const {
+    return filtration.enters(simplex(edge));
+  }
+  // By then nearly all vertices of evenly spread sites are connected.
+  [[nodiscard]] std::uint32_t light_weight() const {
+    constexpr std::size_t kPart = D == 3 ? 7 : 3;
+    return filtration.enters(filtration.filter()[filtration.size() / kPart]);
+  }
+
+ private:
+  [[nodiscard]] SimplexId simplex(std::uint32_t edge) const {
+    return SimplexId(filtration.table().first(1) + edge);
+  }
+};
+
+// The cells, the outside as the last node, and the triangles between them; the last triangle of the
+// filter is the least.
+struct Voids {
+  const Filtration<3>& filtration;
+  std::span<const CellRecord<3>> cells = filtration.triangulation().cells<3>();
+  std::span<const std::uint32_t> owners = filtration.table().facet_owners();
+
+  [[nodiscard]] std::uint32_t node_count() const { return outside() + 1; }
+  [[nodiscard]] std::uint32_t edge_count() const {
+    return static_cast<std::uint32_t>(owners.size());
+  }
+  [[nodiscard]] Ends ends(std::uint32_t edge) const {
+    const std::uint32_t owner = owners[triangle(edge)];
+    const std::uint32_t beyond = cells[owner / 4].neighbours[owner % 4];
+    return {owner / 4, beyond == kOutside ? outside() : beyond / 4};
+  }
+  [[nodiscard]] std::uint32_t weight(std::uint32_t edge) const {
+    const SimplexId simplex(filtration.table().first(2) + triangle(edge));
+    return filtration.spectrum_size() - filtration.enters(simplex);
+  }
+  [[nodiscard]] std::uint32_t light_weight() const { return filtration.spectrum_size(); }
+  [[nodiscard]] std::uint32_t triangle(std::uint32_t edge) const { return edge_count() - 1 - edge; }
+
+ private:
+  [[nodiscard]] std::uint32_t outside() const { return static_cast<std::uint32_t>(cells.size()); }
 };
 
 }  // namespace
 
 template <int D>
-CycleMarks<D>::CycleMarks(const Filtration<D>& filtration) : bits_(filtration.size() / 64 + 1, 0) {
-  mark_vertices_and_edges(filtration);
-  if constexpr (D == 3) mark_triangles(filtration);
+CycleMarks<D>::CycleMarks(const Filtration<D>& filtration)
+    : first_edge_(filtration.table().first(1)),
+      first_triangle_(filtration.table().first(2)),
+      size_(static_cast<std::uint32_t>(filtration.size())),
+      forests_(filtration.size() / 64 + 1, 0) {
+  if (filtration.count(1) > 0) {
+    mark_spanning_forest(Components<D>{filtration},
+                         [&](std::uint32_t edge) { mark(first_edge_ + edge); });
+  }
+  if constexpr (D == 3) {
+    const Voids voids{filtration};
+    if (voids.cells.empty()) return;
+    mark_spanning_forest(voids,
+                         [&](std::uint32_t edge) { mark(first_triangle_ + voids.triangle(edge)); });
+  }
 }
 
 template <int D>
-void CycleMarks<D>::mark_vertices_and_edges(const Filtration<D>& filtration) {
-  const std::span<const SimplexId> filter = filtration.filter();
-  const SimplexTable<D>& table = filtration.table();
-  const std::uint32_t first_edge = table.first(1);
-  const auto edge_count = static_cast<std::uint32_t>(table.count(1));
-  const auto cells = filtration.triangulation().template cells<D>();
-  const std::span<const std::uint32_t> owners = D == 3 ? table.edge_owners() : table.facet_owners();
-  constexpr std::uint32_t kOwnerDivisor = D == 3 ? 6 : 4;
-  UnionFind components(filtration.triangulation().vertex_count());
-  Block block;
-  const auto flush = [&] {
-    if (components.set_count() == 1) {  // then every edge closes a cycle
-      for (std::size_t i = 0; i < block.size; ++i) mark(block.position[i]);
-      block.size = 0;
-      return;
-    }
-    if (!cells.empty()) {
-      for (std::size_t i = 0; i < block.size; ++i) {
-        __builtin_prefetch(&owners[block.simplex[i] - first_edge]);
-      }
-      for (std::size_t i = 0; i < block.size; ++i) {
-        __builtin_prefetch(&cells[owners[block.simplex[i] - first_edge] / kOwnerDivisor]);
-      }
-    }
-    for (std::size_t i = 0; i < block.size; ++i) {
-      const auto ends = face_vertices<2>(filtration, SimplexId(block.simplex[i]));
-      block.a[i] = ends[0];
-      block.b[i] = ends[1];
-      components.prefetch(ends[0]);
-      components.prefetch(ends[1]);
-    }
-    for (std::size_t i = 0; i < block.size; ++i) {
-      if (!components.unite(block.a[i], block.b[i])) mark(block.position[i]);
-    }
-    block.size = 0;
+BettiScan<D>::BettiScan(const Filtration<D>& filtration) {
+  const CycleMarks<D> marks(filtration);
+  const auto entering = [&](const auto& visit) {
+    return [&](SimplexId simplex) { visit(filtration.enters(simplex)); };
   };
-  for (std::size_t position = 0; position < filter.size(); ++position) {
-    const std::uint32_t simplex = filter[position].row();
-    if (simplex < first_edge) mark(position);
-    if (simplex - first_edge >= edge_count) continue;
-    block.push(position, simplex);
-    if (block.size == kBlock) flush();
-  }
-  flush();
-}
-
-template <int D>
-void CycleMarks<D>::mark_triangles(const Filtration<D>& filtration) {
-  const auto cells = filtration.triangulation().template cells<D>();
-  const std::span<const std::uint32_t> owners = filtration.table().facet_owners();
-  const auto outside = static_cast<std::uint32_t>(cells.size());
-  const std::uint32_t first = filtration.table().first(2);
-  const auto count = static_cast<std::uint32_t>(filtration.count(2));
-  if (cells.empty()) return;
-  UnionFind voids(cells.size() + 1);
-  Block block;
-  const auto flush = [&] {
-    for (std::size_t i = 0; i < block.size; ++i) {
-      __builtin_prefetch(&owners[block.simplex[i] - first]);
-    }
-    for (std::size_t i = 0; i < block.size; ++i) {
-      block.a[i] = owners[block.simplex[i] - first];
-      __builtin_prefetch(&cells[block.a[i] / 4]);
-    }
-    for (std::size_t i = 0; i < block.size; ++i) {
-      const std::uint32_t cell = block.a[i] / 4;
-      const std::uint32_t beyond = cells[cell].neighbours[block.a[i] % 4];
-      block.a[i] = cell;
-      block.b[i] = beyond == kOutside ? outside : beyond / 4;
-      voids.prefetch(block.a[i]);
-      voids.prefetch(block.b[i]);
-    }
-    for (std::size_t i = 0; i < block.size; ++i) {
-      if (voids.unite(block.a[i], block.b[i])) mark(block.position[i]);
-    }
-    block.size = 0;
-  };
-  const std::span<const SimplexId> filter = filtration.filter();
-  for (std::size_t position = filter.size(); position-- > 0;) {
-    const std::uint32_t simplex = filter[position].row();
-    if (simplex - first >= count) continue;
-    block.push(position, simplex);
-    if (block.size == kBlock) flush();
-  }
-  flush();
-}
-
-template <int D>
-std::uint32_t CycleMarks<D>::count(std::size_t begin, std::size_t end) const {
-  std::uint32_t total = 0;
-  while (begin < end) {
-    const std::size_t shift = begin % 64;
-    const std::size_t taken = std::min<std::size_t>(64 - shift, end - begin);
-    const std::uint64_t word = bits_[begin / 64] >> shift << (64 - taken);
-    total += static_cast<std::uint32_t>(std::popcount(word));
-    begin += taken;
-  }
-  return total;
+  joining_ = {filtration.spectrum_size(),
+              [&](const auto& visit) { marks.for_each_joining(entering(visit)); }};
+  cutting_ = {filtration.spectrum_size(),
+              [&](const auto& visit) { marks.for_each_cutting(entering(visit)); }};
 }
 
 template <int D>
 void BettiScan<D>::advance(const ByDimension<D>& entering) {
-  for (std::size_t k = 0; k < entering.size(); ++k) {
-    if (entering[k] == 0) continue;
-    const std::uint32_t closing = marks_.count(position_, position_ + entering[k]);
-    if (k < D) betti_[k] += closing;
-    if (k > 0) betti_[k - 1] -= entering[k] - closing;
-    position_ += entering[k];
-  }
+  ++index_;
+  const std::uint32_t joining = joining_.count(index_);
+  const std::uint32_t cutting = cutting_.count(index_);
+  betti_[0] += entering[0] - joining;
+  betti_[1] += (entering[1] - joining) - (entering[2] - cutting);
+  if constexpr (D == 3) betti_[2] += cutting - entering[3];
 }
 
 template <int D>

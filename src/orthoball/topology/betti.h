@@ -2,12 +2,15 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "orthoball/filtration/filter_steps.h"
 #include "orthoball/filtration/filtration.h"
+#include "orthoball/filtration/index_counts.h"
+#include "orthoball/ids.h"
 
 namespace orthoball {
 
@@ -19,43 +22,63 @@ using BettiNumbers = std::array<std::uint32_t, static_cast<std::size_t>(D)>;
 /// What every simplex does when it joins the complex in filter order: a k-simplex either closes a
 /// k-cycle, and betti k grows by one, or fills a (k-1)-cycle, and betti k-1 shrinks by one. Exact.
 ///
-/// One bit a simplex; nearly linear time.  @cite delfinado_edelsbrunner_1995
+/// One bit a simplex; while they are made, up to 90 bytes a site in space. Nearly
+/// linear time.  @cite delfinado_edelsbrunner_1995
 template <int D>
 class CycleMarks {
  public:
   explicit CycleMarks(const Filtration<D>& filtration);
 
-  /// Whether the simplex at a position of the filter, from 0, closes a cycle.
-  [[nodiscard]] bool closes(std::size_t position) const {
-    return (bits_[position / 64] >> position % 64 & 1U) != 0;
+  [[nodiscard]] bool closes(SimplexId simplex) const {
+    const std::uint32_t row = simplex.row();
+    if (row < first_edge_) return true;
+    const bool is_in_forest = (forests_[row / 64] >> row % 64 & 1U) != 0;
+    return row < first_triangle_ ? !is_in_forest : is_in_forest;
   }
-  /// How many of the positions [begin, end) close one.
-  [[nodiscard]] std::uint32_t count(std::size_t begin, std::size_t end) const;
+  /// Calls `visit` for all edges that join two components, ascending.
+  template <class Visit>
+  void for_each_joining(const Visit& visit) const {
+    for_each_in_forest(first_edge_, first_triangle_, visit);
+  }
+  /// Calls `visit` for all triangles that cut a void, or the outside, in two, ascending.
+  template <class Visit>
+  void for_each_cutting(const Visit& visit) const {
+    for_each_in_forest(first_triangle_, size_, visit);
+  }
 
  private:
-  void mark(std::size_t position) { bits_[position / 64] |= std::uint64_t{1} << position % 64; }
-  void mark_vertices_and_edges(const Filtration<D>& filtration);
-  void mark_triangles(const Filtration<D>& filtration);
+  void mark(std::uint32_t row) { forests_[row / 64] |= std::uint64_t{1} << row % 64; }
+  template <class Visit>
+  void for_each_in_forest(std::uint32_t begin, std::uint32_t end, const Visit& visit) const {
+    for (std::uint32_t word = begin / 64; std::uint64_t{word} * 64 < end; ++word) {
+      for (std::uint64_t bits = forests_[word]; bits != 0; bits &= bits - 1) {
+        const std::uint32_t row = 64 * word + static_cast<std::uint32_t>(std::countr_zero(bits));
+        if (row >= begin && row < end) visit(SimplexId(row));
+      }
+    }
+  }
 
-  std::vector<std::uint64_t> bits_;
+  std::uint32_t first_edge_, first_triangle_, size_;
+  std::vector<std::uint64_t> forests_;  // bit per simplex: a joining edge or a cutting triangle
 };
 
-/// The Betti numbers of the alpha complexes of a filtration, one after the other.
+/// The Betti numbers of the alpha complexes of a filtration, one after the other. Two bytes for
+/// every edge that joins components and every triangle that cuts a void: 16 a site in space.
 template <int D>
 class BettiScan {
  public:
   /// Begins with the empty complex.
-  explicit BettiScan(const Filtration<D>& filtration) : marks_(filtration) {}
+  explicit BettiScan(const Filtration<D>& filtration);
 
-  /// Adds the next simplices of the filter: all that enter at the next index.
+  /// Goes on to the next index, at which `entering` simplices join.
   void advance(const ByDimension<D>& entering);
 
   /// Of all simplices added.
   [[nodiscard]] const BettiNumbers<D>& betti() const { return betti_; }
 
  private:
-  CycleMarks<D> marks_;
-  std::size_t position_ = 0;
+  IndexCounts joining_, cutting_;  // edges and triangles, see CycleMarks
+  std::uint32_t index_ = 0;
   BettiNumbers<D> betti_{};
 };
 

@@ -42,9 +42,6 @@ class UnionFind {
   /// Number of disjoint sets left.
   [[nodiscard]] std::size_t set_count() const { return set_count_; }
 
-  /// Brings the entry of `element` nearer to the processor, for sequences known ahead.
-  void prefetch(std::uint32_t element) const { __builtin_prefetch(&parent_[element]); }
-
  private:
   std::vector<std::uint32_t> parent_;  // [element], itself for the smallest of a set
   std::size_t set_count_;

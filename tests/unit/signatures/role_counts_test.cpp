@@ -6,20 +6,6 @@
 namespace orthoball {
 namespace {
 
-TEST(IndexHistogram, CountsMoreThanAByteHolds) {
-  IndexHistogram histogram(5);
-  for (int i = 0; i < 1000; ++i) histogram.add(3);
-  for (int i = 0; i < 256; ++i) histogram.add(1);
-  histogram.add(5);
-  histogram.finish();
-  EXPECT_EQ(histogram.count(0), 0U);
-  EXPECT_EQ(histogram.count(1), 256U);
-  EXPECT_EQ(histogram.count(2), 0U);
-  EXPECT_EQ(histogram.count(3), 1000U);
-  EXPECT_EQ(histogram.count(4), 0U);
-  EXPECT_EQ(histogram.count(5), 1U);
-}
-
 TEST(RoleCounts, OfNothingAreZero) {
   RoleCounts<3> none{Filtration<3>()};
   EXPECT_TRUE(none.has_all_vertices());

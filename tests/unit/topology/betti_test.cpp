@@ -27,19 +27,8 @@ TEST(CycleMarks, OfASquareCloseOneLoop) {
   const std::vector<bool> expected{true,  true, true, true,  false, false,
                                    false, true, true, false, false};
   ASSERT_EQ(square.size(), expected.size());
-  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(marks.closes(i), expected[i]) << i;
-}
-
-TEST(CycleMarks, CountInAnyStretch) {
-  const Filtration<3> filtration(
-      regular_triangulation<3>(generators::points_of(generators::PointFamily::uniform, 3, 60, 1)));
-  const CycleMarks<3> marks(filtration);
-  for (std::size_t begin = 0; begin < filtration.size(); begin += 37) {
-    std::uint32_t expected = 0;
-    for (std::size_t end = begin; end <= std::min(begin + 200, filtration.size()); ++end) {
-      EXPECT_EQ(marks.count(begin, end), expected) << begin << ' ' << end;
-      if (end < filtration.size()) expected += marks.closes(end) ? 1U : 0U;
-    }
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(marks.closes(square.filter()[i]), expected[i]) << i;
   }
 }
 
