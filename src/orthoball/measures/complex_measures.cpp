@@ -81,18 +81,18 @@ template <class Contribution, int D, class IsWanted, class Visit>
 void for_each_contribution(const Filtration<D>& filtration, const Contributions<D>& contributions,
                            int dimension, const IsWanted& is_wanted, const Visit& visit) {
   constexpr std::size_t kAtOnce = 1024;
-  std::vector<Placed> placed;
+  std::vector<std::uint32_t> simplices;
   std::vector<Contribution> measured(kAtOnce);
   const auto flush = [&] {
-    contributions.measure(placed, measured);
-    for (std::size_t i = 0; i < placed.size(); ++i) visit(measured[i]);
-    placed.clear();
+    contributions.measure(simplices, measured);
+    for (std::size_t i = 0; i < simplices.size(); ++i) visit(measured[i]);
+    simplices.clear();
   };
   const std::uint32_t first = filtration.table().first(dimension);
   for (std::uint32_t i = 0; i < filtration.count(dimension); ++i) {
     if (!is_wanted(SimplexId(first + i))) continue;
-    placed.push_back({first + i, static_cast<std::uint32_t>(placed.size())});
-    if (placed.size() == kAtOnce) flush();
+    simplices.push_back(first + i);
+    if (simplices.size() == kAtOnce) flush();
   }
   flush();
 }

@@ -14,6 +14,7 @@
 #include "orthoball/measures/contributions.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -42,16 +43,21 @@ struct Batch {
 struct Vector {
   double x, y, z;
 };
-Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
-Vector cross(const Vector& a, const Vector& b) {
+[[gnu::always_inline]] inline Vector operator-(const Vector& a, const Vector& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+[[gnu::always_inline]] inline double dot(const Vector& a, const Vector& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+[[gnu::always_inline]] inline double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
+[[gnu::always_inline]] inline Vector cross(const Vector& a, const Vector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-Vector vector(const Points<3>& points, std::size_t lane) {
+[[gnu::always_inline]] inline Vector vector(const Points<3>& points, std::size_t lane) {
   return {points[0][lane], points[1][lane], points[2][lane]};
 }
-double length(const Points<2>& a, const Points<2>& b, std::size_t lane) {
+[[gnu::always_inline]] inline double length(const Points<2>& a, const Points<2>& b,
+                                            std::size_t lane) {
   const double x = b[0][lane] - a[0][lane], y = b[1][lane] - a[1][lane];
   return std::sqrt(x * x + y * y);
 }
@@ -59,51 +65,59 @@ double length(const Points<2>& a, const Points<2>& b, std::size_t lane) {
 // What the kernels give, lane by lane.
 template <int D>
 struct CellRows {
-  Row volume, length, is_thin;  // is_thin is 0 or 1: see thin_cell.h
+  Row volume, length;
+  Row excess;  // negative where a facet is thin: see thin_cell.h
   std::array<Row, kCorners<D>> facets;
 };
 struct FacetRows {
   Row area, perimeter;
 };
 
-void measure(const Batch<3, 4>& batch, CellRows<3>& out) {
-  alignas(64) std::array<Row, 6> lengths, sines, cosines;
+[[gnu::always_inline]] inline void measure_lanes(const Batch<3, 4>& __restrict batch,
+                                                 CellRows<3>& __restrict out) {
+  alignas(64) std::array<Row, 6> lengths, cosines;
   for (std::size_t k = 0; k < kLanes; ++k) {
     const Vector a = vector(batch.x[0], k), b = vector(batch.x[1], k);
     const Vector c = vector(batch.x[2], k), d = vector(batch.x[3], k);
     const Vector ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b;
     const Vector n_d = cross(ab, ac), n_c = cross(ab, ad), n_b = cross(ac, ad), n_a = cross(bc, bd);
-    const double volume = std::abs(dot(ab, n_b));
-    out.volume[k] = volume;
+    out.volume[k] = std::abs(dot(ab, n_b));
     out.facets[0][k] = norm(n_a);
     out.facets[1][k] = norm(n_b);
     out.facets[2][k] = norm(n_c);
     out.facets[3][k] = norm(n_d);
+    lengths[0][k] = norm(ab);
+    lengths[1][k] = norm(ac);
+    lengths[2][k] = norm(ad);
+    lengths[3][k] = norm(bc);
+    lengths[4][k] = norm(bd);
+    lengths[5][k] = norm(d - c);
     // n_a and n_c point outward where n_b and n_d point inward, or the other way round.
-    const std::array<double, 6> length{norm(ab), norm(ac), norm(ad),
-                                       norm(bc), norm(bd), norm(d - c)};
-    const bool is_thin = (out.facets[0][k] < kThin * length[3] * length[4]) |
-                         (out.facets[1][k] < kThin * length[1] * length[2]) |
-                         (out.facets[2][k] < kThin * length[0] * length[2]) |
-                         (out.facets[3][k] < kThin * length[0] * length[1]);
-    out.is_thin[k] = is_thin ? 1.0 : 0.0;
-    const std::array<double, 6> cosine{-dot(n_c, n_d), dot(n_b, n_d), -dot(n_b, n_c),
-                                       -dot(n_a, n_d), dot(n_a, n_c), -dot(n_a, n_b)};
-    for (std::size_t edge = 0; edge < 6; ++edge) {
-      lengths[edge][k] = length[edge];
-      sines[edge][k] = volume * length[edge];
-      cosines[edge][k] = cosine[edge];
-    }
+    cosines[0][k] = -dot(n_c, n_d);
+    cosines[1][k] = dot(n_b, n_d);
+    cosines[2][k] = -dot(n_b, n_c);
+    cosines[3][k] = -dot(n_a, n_d);
+    cosines[4][k] = dot(n_a, n_c);
+    cosines[5][k] = -dot(n_a, n_b);
+  }
+  // How far the facets are from thin: negative where one is.
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    out.excess[k] = std::min(std::min(out.facets[0][k] - kThin * lengths[3][k] * lengths[4][k],
+                                      out.facets[1][k] - kThin * lengths[1][k] * lengths[2][k]),
+                             std::min(out.facets[2][k] - kThin * lengths[0][k] * lengths[2][k],
+                                      out.facets[3][k] - kThin * lengths[0][k] * lengths[1][k]));
   }
   out.length.fill(0.0);
   for (std::size_t edge = 0; edge < 6; ++edge) {
     for (std::size_t k = 0; k < kLanes; ++k) {
-      out.length[k] += lengths[edge][k] * angle_from_x_axis(cosines[edge][k], sines[edge][k]);
+      const double sine = out.volume[k] * lengths[edge][k];
+      out.length[k] += lengths[edge][k] * angle_from_x_axis(cosines[edge][k], sine);
     }
   }
 }
 
-void measure(const Batch<2, 3>& batch, CellRows<2>& out) {
+[[gnu::always_inline]] inline void measure_lanes(const Batch<2, 3>& __restrict batch,
+                                                 CellRows<2>& __restrict out) {
   const auto& [a, b, c] = batch.x;
   for (std::size_t k = 0; k < kLanes; ++k) {
     out.volume[k] = std::abs((b[0][k] - a[0][k]) * (c[1][k] - a[1][k]) -
@@ -113,10 +127,11 @@ void measure(const Batch<2, 3>& batch, CellRows<2>& out) {
     out.facets[2][k] = length(a, b, k);
   }
   out.length.fill(0.0);
-  out.is_thin.fill(0.0);
+  out.excess.fill(0.0);
 }
 
-void measure(const Batch<3, 3>& batch, FacetRows& out) {
+[[gnu::always_inline]] inline void measure_lanes(const Batch<3, 3>& __restrict batch,
+                                                 FacetRows& __restrict out) {
   for (std::size_t k = 0; k < kLanes; ++k) {
     const Vector a = vector(batch.x[0], k), b = vector(batch.x[1], k), c = vector(batch.x[2], k);
     const Vector ab = b - a, ac = c - a;
@@ -125,15 +140,38 @@ void measure(const Batch<3, 3>& batch, FacetRows& out) {
   }
 }
 
-void measure(const Batch<2, 2>& batch, FacetRows& out) {
+[[gnu::always_inline]] inline void measure_lanes(const Batch<2, 2>& __restrict batch,
+                                                 FacetRows& __restrict out) {
   for (std::size_t k = 0; k < kLanes; ++k) out.area[k] = length(batch.x[0], batch.x[1], k);
   out.perimeter.fill(0.0);
 }
 
-void measure(const Batch<3, 2>& batch, Row& out) {
+[[gnu::always_inline]] inline void measure_lanes(const Batch<3, 2>& __restrict batch,
+                                                 Row& __restrict out) {
   for (std::size_t k = 0; k < kLanes; ++k) {
     out[k] = norm(vector(batch.x[1], k) - vector(batch.x[0], k));
   }
+}
+
+// The same bits with wider vectors, where the machine has them: no operation is fused with another.
+#if defined(__x86_64__) && defined(__GNUC__)
+template <int D, std::size_t N, class Rows>
+[[gnu::target("avx2")]] void measure_wide(const Batch<D, N>& __restrict batch,
+                                          Rows& __restrict out) {
+  measure_lanes(batch, out);
+}
+bool has_wide_vectors() { return __builtin_cpu_supports("avx2") != 0; }
+#else
+template <int D, std::size_t N, class Rows>
+void measure_wide(const Batch<D, N>& __restrict batch, Rows& __restrict out) {
+  measure_lanes(batch, out);
+}
+bool has_wide_vectors() { return false; }
+#endif
+
+template <int D, std::size_t N, class Rows>
+void measure(const Batch<D, N>& batch, Rows& out) {
+  has_wide_vectors() ? measure_wide(batch, out) : measure_lanes(batch, out);
 }
 
 template <std::size_t N>
@@ -189,17 +227,56 @@ struct Source {
 };
 
 // Loads, measures and stores batch after batch.
-// load(simplex, lane) fills a lane, store(lane, place) writes one out.
-template <class Load, class Measure, class Store>
-void in_batches(std::span<const Placed> simplices, const Load& load, const Measure& measure_lanes,
-                const Store& store) {
-  for (std::size_t begin = 0; begin < simplices.size(); begin += kLanes) {
-    const std::size_t lanes = std::min(kLanes, simplices.size() - begin);
-    for (std::size_t lane = 0; lane < lanes; ++lane) load(simplices[begin + lane].simplex, lane);
+// approach(simplex, step) takes one more step, 0 to 2, to bringing what a simplex is made of nearer
+// to the processor, load(simplex, lane) fills a lane, store(lane, place) writes one out.
+template <class Approach, class Load, class Measure, class Store>
+void in_batches(std::span<const std::uint32_t> simplices, const Approach& approach,
+                const Load& load, const Measure& measure_lanes, const Store& store) {
+  const std::size_t size = simplices.size();
+  const auto approach_from = [&](std::size_t begin, unsigned step) __attribute__((always_inline)) {
+    const std::size_t end = std::min(begin + kLanes, size);
+    for (std::size_t i = begin; i < end; ++i) approach(simplices[i], step);
+  };
+  for (std::size_t begin = 0; begin < size; begin += kLanes) {
+    const std::size_t lanes = std::min(kLanes, size - begin);
+    approach_from(begin + 3 * kLanes, 0);
+    approach_from(begin + 2 * kLanes, 1);
+    approach_from(begin + kLanes, 2);
+    for (std::size_t lane = 0; lane < lanes; ++lane) load(simplices[begin + lane], lane);
     measure_lanes();
-    for (std::size_t lane = 0; lane < lanes; ++lane) store(lane, simplices[begin + lane].place);
+    for (std::size_t lane = 0; lane < lanes; ++lane) store(lane, begin + lane);
   }
 }
+
+// The steps of in_batches to the sites of a face, whose owner knows the cell that has its corners.
+template <int D>
+class FaceApproach {
+ public:
+  // owners[face] is kDivisor * cell + a place in it.
+  FaceApproach(const Filtration<D>& filtration, int dimension)
+      : cells_(filtration.triangulation().template cells<D>()),
+        sites_(filtration.triangulation().sites().span()),
+        first_(filtration.table().first(dimension)),
+        divisor_(dimension == D - 1 ? 4 : 6),
+        owners_(dimension == D - 1 ? filtration.table().facet_owners()
+                                   : filtration.table().edge_owners()) {}
+
+  [[gnu::always_inline]] void operator()(std::uint32_t face, unsigned step) const {
+    if (cells_.empty()) return;
+    const std::uint32_t& owner = owners_[face - first_];
+    if (step == 0) return __builtin_prefetch(&owner);
+    const CellRecord<D>& record = cells_[owner / divisor_];
+    if (step == 1) return __builtin_prefetch(&record);
+    for (const std::uint32_t corner : record.corners) __builtin_prefetch(&sites_[corner]);
+  }
+
+ private:
+  std::span<const CellRecord<D>> cells_;
+  std::span<const Site<D>> sites_;
+  std::uint32_t first_;
+  std::uint32_t divisor_;
+  std::span<const std::uint32_t> owners_;
+};
 
 // The areas of a cell's facets as the facets themselves give them, each in its own scale: in the
 // cell's scale a small one may vanish.
@@ -231,7 +308,7 @@ Contributions<D>::Contributions(const Filtration<D>& filtration, int unit_expone
     : filtration_(&filtration), is_wide_(true), unit_exponent_(unit_exponent) {}
 
 template <int D>
-void Contributions<D>::measure(std::span<const Placed> cells,
+void Contributions<D>::measure(std::span<const std::uint32_t> cells,
                                std::span<CellContribution<D>> out) const {
   const RegularTriangulation<D>& triangulation = filtration_->triangulation();
   const Source<D> source{triangulation.sites(), is_wide_, unit_exponent_};
@@ -240,26 +317,39 @@ void Contributions<D>::measure(std::span<const Placed> cells,
   Batch<D, kCorners<D>> batch{};
   CellRows<D> rows;
   std::array<Vertices<kCorners<D>>, kLanes> vertices;
-  std::array<std::array<bool, kCorners<D>>, kLanes> is_second;
+  // [lane][corner]: the sign of the facet opposite.
+  std::array<std::array<std::uint64_t, kCorners<D>>, kLanes> signs;
+  constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63U;
+
+  const auto approach = [&](std::uint32_t simplex, unsigned step) __attribute__((always_inline)) {
+    const CellRecord<D>& record = records[simplex - first];
+    if (step == 0) return __builtin_prefetch(&record);
+    if (step != 2) return;
+    for (const std::uint32_t corner : record.corners) __builtin_prefetch(&source.sites[corner]);
+  };
   const auto load = [&](std::uint32_t simplex, std::size_t lane) {
     const std::uint32_t cell = simplex - first;
     const CellRecord<D>& record = records[cell];
-    const std::uint32_t enters = filtration_->enters(SimplexId(simplex));
-    vertices[lane] = record.corners;
+    const auto place_in_filter = [&](std::uint32_t of) {
+      return std::uint64_t{filtration_->enters(SimplexId(first + of))} << 32U | of;
+    };
+    const std::uint64_t own = place_in_filter(cell);
     for (std::size_t corner = 0; corner < kCorners<D>; ++corner) {
       const std::uint32_t beyond = record.neighbours[corner];
-      const std::uint32_t other = beyond / 4;
-      is_second[lane][corner] =
-          beyond != kOutside &&
-          std::pair(filtration_->enters(SimplexId(first + other)), other) < std::pair(enters, cell);
+      signs[lane][corner] =
+          place_in_filter(beyond == kOutside ? cell : beyond / 4) < own ? kSignBit : 0;
     }
-    if (vertices[lane][D] < vertices[lane][D - 1]) {  // corners ascend but for the last two
-      std::swap(vertices[lane][D - 1], vertices[lane][D]);
-      std::swap(is_second[lane][D - 1], is_second[lane][D]);
-    }
+    // Corners ascend but for the last two.
+    vertices[lane] = record.corners;
+    const bool descend = vertices[lane][D] < vertices[lane][D - 1];
+    vertices[lane][D - 1] = std::min(record.corners[D - 1], record.corners[D]);
+    vertices[lane][D] = std::max(record.corners[D - 1], record.corners[D]);
+    const std::array last{signs[lane][D - 1], signs[lane][D]};
+    signs[lane][D - 1] = last[descend ? 1 : 0];
+    signs[lane][D] = last[descend ? 0 : 1];
     source.load(vertices[lane], lane, batch);
   };
-  const auto store = [&](std::size_t lane, std::uint32_t place) {
+  const auto store = [&](std::size_t lane, std::size_t place) {
     CellContribution<D>& cell = out[place];
     cell.volume = rows.volume[lane];
     cell.length = rows.length[lane];
@@ -269,35 +359,35 @@ void Contributions<D>::measure(std::span<const Placed> cells,
       measure_facets_alone(source, vertices[lane], cell);
     }
     if constexpr (D == 3) {
-      if (is_wide_ || rows.is_thin[lane] != 0.0) {
-        const Sites<D>& sites = triangulation.sites();
-        const ThinCell thin =
-            thin_cell(sites, vertices[lane], sites.exact_scale_exponent() - unit_exponent_);
+      if (is_wide_ || rows.excess[lane] < 0.0) {
+        const ThinCell thin = thin_cell(source.sites, vertices[lane],
+                                        source.sites.exact_scale_exponent() - unit_exponent_);
         cell.volume = thin.volume;
         cell.length = thin.length;
       }
     }
     for (std::size_t i = 0; i < kCorners<D>; ++i) {
-      cell.facets[i] = is_second[lane][i] ? -cell.facets[i] : cell.facets[i];
+      const auto area = std::bit_cast<std::uint64_t>(cell.facets[i]);
+      cell.facets[i] = std::bit_cast<double>(area ^ signs[lane][i]);
     }
   };
   in_batches(
-      cells, load, [&] { orthoball::measure(batch, rows); }, store);
+      cells, approach, load, [&] { orthoball::measure(batch, rows); }, store);
 }
 
 template <int D>
-void Contributions<D>::measure(std::span<const Placed> facets,
+void Contributions<D>::measure(std::span<const std::uint32_t> facets,
                                std::span<FacetContribution> out) const {
   const Source<D> source{filtration_->triangulation().sites(), is_wide_, unit_exponent_};
   Batch<D, kCorners<D> - 1> batch{};
   FacetRows rows;
   in_batches(
-      facets,
+      facets, FaceApproach<D>(*filtration_, D - 1),
       [&](std::uint32_t simplex, std::size_t lane) {
         source.load(face_vertices<kCorners<D> - 1>(*filtration_, SimplexId(simplex)), lane, batch);
       },
       [&] { orthoball::measure(batch, rows); },
-      [&](std::size_t lane, std::uint32_t place) {
+      [&](std::size_t lane, std::size_t place) {
         out[place] = {rows.area[lane], rows.perimeter[lane]};
         if (!is_wide_) return;
         out[place].area = std::ldexp(out[place].area, (D - 1) * batch.exponent[lane]);
@@ -306,19 +396,19 @@ void Contributions<D>::measure(std::span<const Placed> facets,
 }
 
 template <int D>
-void Contributions<D>::measure(std::span<const Placed> edges,
+void Contributions<D>::measure(std::span<const std::uint32_t> edges,
                                std::span<EdgeContribution> out) const {
   if constexpr (D == 3) {
     const Source<D> source{filtration_->triangulation().sites(), is_wide_, unit_exponent_};
     Batch<D, 2> batch{};
     Row lengths;
     in_batches(
-        edges,
+        edges, FaceApproach<D>(*filtration_, 1),
         [&](std::uint32_t simplex, std::size_t lane) {
           source.load(face_vertices<2>(*filtration_, SimplexId(simplex)), lane, batch);
         },
         [&] { orthoball::measure(batch, lengths); },
-        [&](std::size_t lane, std::uint32_t place) {
+        [&](std::size_t lane, std::size_t place) {
           out[place] = is_wide_ ? std::ldexp(lengths[lane], batch.exponent[lane]) : lengths[lane];
         });
   }
