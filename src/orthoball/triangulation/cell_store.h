@@ -25,7 +25,7 @@ class CellStore {
  public:
   using Cell = CellRecord<A>;  // neighbours are 4 * cell + corner, never kOutside
 
-  /// @param vertices  numbers of finite vertices are below; at most 2^31.
+  /// @param vertices  numbers of finite vertices are below; at most 2^30.
   explicit CellStore(std::uint32_t vertices) : infinity_(std::bit_ceil(vertices)) {}
 
   /// A power of two, not below the number of vertices: a bit that no vertex has.
@@ -46,10 +46,7 @@ class CellStore {
     return (bits & infinity_) == 0;
   }
 
-  void reserve(std::size_t cells) {
-    cells_.reserve(cells);
-    mark_.reserve(cells);
-  }
+  void reserve(std::size_t cells) { cells_.reserve(cells); }
   /// A new cell, or a released one.
   [[nodiscard]] std::uint32_t acquire() {
     if (released_.empty()) return added();
@@ -57,15 +54,29 @@ class CellStore {
     released_.pop_back();
     return cell;
   }
-  /// These cells are dead and may be given again.
+  /// These dead cells may be given again.
   void release(std::span<const std::uint32_t> dead) {
     released_.insert(released_.end(), dead.begin(), dead.end());
   }
-  /// The dead cells.
-  [[nodiscard]] std::span<const std::uint32_t> released() const { return released_; }
 
-  /// A word for each cell that the searches mark visits with.
-  [[nodiscard]] std::uint32_t& mark(std::uint32_t cell) { return mark_[cell]; }
+  /// Makes a cell dead: it keeps corners and neighbours, but is not to be read by operator[] any
+  /// more, until other corners are written there.
+  void kill(std::uint32_t cell) { kill_if(1, cell); }
+  /// The same if `dies` is 1, nothing if 0: no branch.
+  void kill_if(std::uint32_t dies, std::uint32_t cell) { cells_[cell].corners[0] |= dies << kDead; }
+  [[nodiscard]] bool is_dead(std::uint32_t cell) const {
+    return (cells_[cell].corners[0] >> kDead) != 0;
+  }
+  /// The record of a cell, dead or not.
+  [[nodiscard]] Cell record(std::uint32_t cell) const {
+    Cell record = cells_[cell];
+    record.corners[0] &= ~(1U << kDead);
+    return record;
+  }
+  /// Corner `facet % 4` of cell `facet / 4`, dead or not.
+  [[nodiscard]] std::uint32_t apex(std::uint32_t facet) const {
+    return cells_[facet / 4].corners[facet % 4] & ~(1U << kDead);
+  }
 
   /// Makes two facets each other's other side.
   void join(std::uint32_t cell_and_corner, std::uint32_t other) {
@@ -74,6 +85,8 @@ class CellStore {
   }
 
  private:
+  static constexpr unsigned kDead = 31;  // a bit of the first corner: no vertex has it
+
   std::uint32_t added() {
     // Neighbours keep 2 bits for a corner.
     constexpr std::size_t kMostCells = std::size_t{1} << 30U;
@@ -81,13 +94,11 @@ class CellStore {
       throw LimitError("more than 2^30 cells in the triangulation; at most 150 million sites fit");
     }
     cells_.emplace_back();
-    mark_.push_back(0);
     return static_cast<std::uint32_t>(cells_.size() - 1);
   }
 
   std::uint32_t infinity_;
   std::vector<Cell> cells_;
-  std::vector<std::uint32_t> mark_;
   std::vector<std::uint32_t> released_;
 };
 

@@ -29,13 +29,25 @@ TEST(CellStore, GivesReleasedCellsAgain) {
   CellStore<2> cells(4);
   const std::uint32_t a = cells.acquire();
   (void)cells.acquire();
-  EXPECT_TRUE(cells.released().empty());
   cells.release(std::array{a});
-  ASSERT_EQ(cells.released().size(), 1U);
-  EXPECT_EQ(cells.released()[0], a);
   EXPECT_EQ(cells.acquire(), a);
   EXPECT_EQ(cells.acquire(), 2U);
   EXPECT_EQ(cells.size(), 3U);
+}
+
+TEST(CellStore, TellsDeadCellsAndStillReadsThem) {
+  CellStore<2> cells(4);
+  const std::uint32_t cell = cells.acquire();
+  cells[cell].corners = {3, 0, cells.infinity()};
+  cells.kill_if(0, cell);
+  EXPECT_FALSE(cells.is_dead(cell));
+  cells.kill(cell);
+  EXPECT_TRUE(cells.is_dead(cell));
+  EXPECT_EQ(cells.record(cell).corners, (std::array{3U, 0U, cells.infinity()}));
+  EXPECT_EQ(cells.apex(4 * cell), 3U);
+  EXPECT_EQ(cells.apex(4 * cell + 2), cells.infinity());
+  cells[cell].corners = {1, 0, 2};
+  EXPECT_FALSE(cells.is_dead(cell));
 }
 
 TEST(CellStore, JoinsFacetsBothWays) {
