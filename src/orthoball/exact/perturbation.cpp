@@ -10,15 +10,21 @@
 // this could vanish for all: the query has coefficient -1.
 #include "orthoball/exact/perturbation.h"
 
-#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace orthoball {
 
 template <int D>
 bool precedes(const Sites<D>& sites, std::uint32_t a, std::uint32_t b) {
+  // The first axis counts most. Without branches: which axis decides is hard to predict.
   const auto before = [](const double* p, const double* q) {
-    return std::lexicographical_compare(p, p + D, q, q + D);
+    unsigned less = 0, more = 0;
+    for (int axis = 0; axis < D; ++axis) {
+      less = 2 * less + (p[axis] < q[axis] ? 1 : 0);
+      more = 2 * more + (p[axis] > q[axis] ? 1 : 0);
+    }
+    return less > more;
   };
   if (sites.is_exact()) return before(sites[a].x, sites[b].x);
   return before(sites.exact(a).x, sites.exact(b).x);
@@ -26,11 +32,14 @@ bool precedes(const Sites<D>& sites, std::uint32_t a, std::uint32_t b) {
 
 template <int A, int D>
 bool perturbed_conflict(const Sites<D>& sites, const Corners<A>& corners, std::uint32_t query) {
-  std::array<std::size_t, std::size_t{A + 1}> descending;
-  for (std::size_t i = 0; i <= A; ++i) descending[i] = i;
-  std::sort(descending.begin(), descending.end(),
-            [&](std::size_t i, std::size_t j) { return precedes(sites, corners[j], corners[i]); });
-  for (const std::size_t i : descending) {
+  std::array<std::uint32_t, std::size_t{A + 1}> left;  // corners not looked at yet
+  for (std::uint32_t i = 0; i <= A; ++i) left[i] = i;
+  for (std::size_t count = A + 1; count > 0; --count) {
+    std::size_t last = 0;
+    for (std::size_t j = 1; j < count; ++j) {
+      last = precedes(sites, corners[left[last]], corners[left[j]]) ? j : last;
+    }
+    const std::uint32_t i = std::exchange(left[last], left[count - 1]);
     if (precedes(sites, corners[i], query)) return false;
     Corners<A> replaced = corners;
     replaced[i] = query;

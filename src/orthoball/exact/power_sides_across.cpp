@@ -6,6 +6,7 @@
 // glance of power_side; docs/derivations/filters.md derives it.
 #include "orthoball/exact/power_sides_across.h"
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -27,7 +28,7 @@ ORTHOBALL_FOUR_LANES inline Four loaded(const double* from) {
   return four;
 }
 ORTHOBALL_FOUR_LANES inline Four all(double number) { return Four{number, number, number, number}; }
-ORTHOBALL_FOUR_LANES inline Four magnitude(Four a) {
+ORTHOBALL_FOUR_LANES inline Four absolute(Four a) {
   const FourBits bits = {INT64_MAX, INT64_MAX, INT64_MAX, INT64_MAX};
   return reinterpret_cast<Four>(reinterpret_cast<FourBits>(a) & bits);
 }
@@ -64,7 +65,7 @@ ORTHOBALL_FOUR_LANES inline SpaceRows rows(const Sites<3>& sites, const Corners<
   const Four weight = __builtin_shufflevector(ab_yw, cd_yw, 2, 3, 6, 7);
   const Four square = rows.x * rows.x + rows.y * rows.y + rows.z * rows.z;
   rows.lift = square - weight;
-  rows.size = square + magnitude(weight);
+  rows.size = square + absolute(weight);
   return rows;
 }
 
@@ -84,14 +85,30 @@ ORTHOBALL_FOUR_LANES inline PlaneRows rows(const Sites<2>& sites, const Corners<
   const Four weight = Four{a.weight, b.weight, c.weight, c.weight} - all(query.weight);
   const Four square = rows.x * rows.x + rows.y * rows.y;
   rows.lift = square - weight;
-  rows.size = square + magnitude(weight);
+  rows.size = square + absolute(weight);
   return rows;
+}
+
+// Answers for the lanes of `facets`: what lies beyond the bound has the sign of the value, and
+// where the value is exact anything has.
+ORTHOBALL_FOUR_LANES inline GlancedSides sides(std::uint32_t facets, Four value, FourBits beyond,
+                                               FourBits exact) {
+  const std::uint32_t positive = signs(value > all(0.0));
+  const std::uint32_t zero = signs(value == all(0.0)) & signs(exact) & facets;
+  const std::uint32_t known = signs(beyond | exact) & facets & ~zero;
+  return {positive & known, known & ~positive, zero};
 }
 
 // The error of the weights counts as so much lift that its share of the bound is covered.
 template <int D>
 double lift_of_weight_error(const Sites<D>& sites) {
   return sites.weight_error() * 0x1p+52;
+}
+
+// Determinants whose products are at most this are exact; twice the room that filters.md asks for.
+template <int D>
+double exact_magnitude(const Sites<D>& sites) {
+  return sites.is_integral() ? kExactIntegers / (2 * kPowerSideTerms<D>) : -1.0;
 }
 
 }  // namespace
@@ -121,13 +138,14 @@ __attribute__((target("avx2"))) GlancedSides glanced_power_sides_across(const Si
 
   const Four pairs = cell.size + second(cell.size);
   const Four size = pairs + next(pairs) + apex.size + all(lift_of_weight_error(sites));
-  const Four square = size * size;
-  const Four bound =
-      all(kPowerSideBound<3> * kPowerSideBound<3>) * (square * square) * size;  // squared
+  const Four magnitude = (size * size) * (size * size) * size;  // squared
+  const Four bound = all(kPowerSideBound<3> * kPowerSideBound<3>) * magnitude;
   // A neighbour with the apex in the place of corner i is negatively oriented, and its rows come in
   // an odd order if i is odd.
-  return {signs(value > all(0.0)) ^ 0b0101U,
-          signs(value * value > bound + all(kUnderflow * kUnderflow))};
+  const Four turned = {-1.0, 1.0, -1.0, 1.0};
+  const double most = exact_magnitude<3>(sites);
+  return sides(0b1111U, value * turned, value * value > bound + all(kUnderflow * kUnderflow),
+               magnitude <= all(most * std::abs(most)));
 }
 
 __attribute__((target("avx2"))) GlancedSides glanced_power_sides_across(const Sites<2>& sites,
@@ -151,7 +169,8 @@ __attribute__((target("avx2"))) GlancedSides glanced_power_sides_across(const Si
   const Four size = cell.size + first(cell.size) + other(cell.size) + apex.size +
                     all(lift_of_weight_error(sites));
   const Four bound = all(kPowerSideBound<2>) * (size * size) + all(kUnderflow);
-  return {signs(value < all(0.0)) & 0b111U, signs(magnitude(value) > bound) & 0b111U};
+  return sides(0b111U, -value, absolute(value) > bound,
+               size * size <= all(exact_magnitude<2>(sites)));
 }
 
 #else

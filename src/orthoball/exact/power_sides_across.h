@@ -7,10 +7,12 @@
 
 namespace orthoball {
 
-/// Power sides of one query to several simplices, as far as a glance tells: a bit for each simplex.
+/// Power sides of one query to several simplices, as far as a glance tells: a bit for each simplex,
+/// in at most one of the masks.
 struct GlancedSides {
   std::uint32_t positive = 0;
-  std::uint32_t known = 0;  ///< where this bit is not set, that of `positive` means nothing
+  std::uint32_t negative = 0;
+  std::uint32_t zero = 0;  ///< a tie: told where numbers are small integers
 };
 
 /// Whether glanced_power_sides_across tells anything: where the processor has vectors of four

@@ -59,24 +59,9 @@ class CellStore {
     released_.insert(released_.end(), dead.begin(), dead.end());
   }
 
-  /// Makes a cell dead: it keeps corners and neighbours, but is not to be read by operator[] any
-  /// more, until other corners are written there.
-  void kill(std::uint32_t cell) { kill_if(1, cell); }
-  /// The same if `dies` is 1, nothing if 0: no branch.
-  void kill_if(std::uint32_t dies, std::uint32_t cell) { cells_[cell].corners[0] |= dies << kDead; }
-  [[nodiscard]] bool is_dead(std::uint32_t cell) const {
-    return (cells_[cell].corners[0] >> kDead) != 0;
-  }
-  /// The record of a cell, dead or not.
-  [[nodiscard]] Cell record(std::uint32_t cell) const {
-    Cell record = cells_[cell];
-    record.corners[0] &= ~(1U << kDead);
-    return record;
-  }
-  /// Corner `facet % 4` of cell `facet / 4`, dead or not.
-  [[nodiscard]] std::uint32_t apex(std::uint32_t facet) const {
-    return cells_[facet / 4].corners[facet % 4] & ~(1U << kDead);
-  }
+  /// A dead cell keeps its corners and neighbours, until it is made alive with others.
+  [[nodiscard]] bool is_dead(std::uint32_t cell) const { return is_dead_[cell] != 0; }
+  void set_dead(std::uint32_t cell, bool is_dead) { is_dead_[cell] = is_dead ? 1 : 0; }
 
   /// Makes two facets each other's other side.
   void join(std::uint32_t cell_and_corner, std::uint32_t other) {
@@ -85,8 +70,6 @@ class CellStore {
   }
 
  private:
-  static constexpr unsigned kDead = 31;  // a bit of the first corner: no vertex has it
-
   std::uint32_t added() {
     // Neighbours keep 2 bits for a corner.
     constexpr std::size_t kMostCells = std::size_t{1} << 30U;
@@ -94,11 +77,13 @@ class CellStore {
       throw LimitError("more than 2^30 cells in the triangulation; at most 150 million sites fit");
     }
     cells_.emplace_back();
+    is_dead_.push_back(0);
     return static_cast<std::uint32_t>(cells_.size() - 1);
   }
 
   std::uint32_t infinity_;
   std::vector<Cell> cells_;
+  std::vector<std::uint8_t> is_dead_;  // bytes, for speed
   std::vector<std::uint32_t> released_;
 };
 

@@ -98,7 +98,7 @@ class ConflictRegion {
     const Sign side = orient<A, D>(sites_, corners);
     if (side != Sign::zero) return side == Sign::positive;
     const std::uint32_t inside = record.neighbours[infinite] / 4;
-    return orthoball::in_conflict<A, D>(sites_, cells_.record(inside).corners, site);
+    return orthoball::in_conflict<A, D>(sites_, cells_[inside].corners, site);
   }
 
   // Breadth-first: the list of dead cells is the queue.
@@ -107,32 +107,37 @@ class ConflictRegion {
     places_[0] = start;
     dead_count_ = 1;
     facet_count_ = 0;
-    cells_.kill(start);
+    cells_.set_dead(start, true);
     for (std::size_t next = 0; next < dead_count_; ++next) spread(places_[next], site);
   }
 
   // From a dead cell over its facets. What lies beyond is dead, too, or dies now, or stays.
   void spread(std::uint32_t cell, std::uint32_t site) {
-    const Cell record = cells_.record(cell);
+    const Cell& record = cells_[cell];
     std::uint32_t alive = 0;
     std::uint32_t finite = 0;
     Corners<A> apexes;
     unrolled<std::size_t{A + 1}>([&](std::size_t i) {
-      const std::uint32_t apex = cells_.apex(record.neighbours[i]);
+      const std::uint32_t beyond = record.neighbours[i] / 4;
+      const std::uint32_t apex = cells_[beyond].corners[record.neighbours[i] % 4];
       const bool is_finite = (apex & cells_.infinity()) == 0;
       apexes[i] = is_finite ? apex : site;
       finite |= std::uint32_t{is_finite} << i;
-      alive |= std::uint32_t{!cells_.is_dead(record.neighbours[i] / 4)} << i;
+      alive |= std::uint32_t{!cells_.is_dead(beyond)} << i;
     });
     GlancedSides sides;
     if (can_glance_ && cells_.is_finite(record)) {
       sides = glanced_power_sides_across(sites_, record.corners, apexes, site);
     }
-    std::uint32_t dying = sides.positive & sides.known & finite & alive;
-    for (std::uint32_t unknown = alive & ~(sides.known & finite); unknown != 0;
-         unknown &= unknown - 1) {
-      const auto i = static_cast<unsigned>(std::countr_zero(unknown));
-      dying |= std::uint32_t{in_conflict(record.neighbours[i] / 4, site)} << i;
+    std::uint32_t dying = sides.positive & finite & alive;
+    for (std::uint32_t open = alive & ~((sides.positive | sides.negative) & finite); open != 0;
+         open &= open - 1) {
+      const auto i = static_cast<unsigned>(std::countr_zero(open));
+      const std::uint32_t beyond = record.neighbours[i] / 4;
+      const bool is_tie = ((sides.zero & finite) >> i & 1U) != 0;
+      const bool dies = is_tie ? perturbed_conflict<A, D>(sites_, cells_[beyond].corners, site)
+                               : in_conflict(beyond, site);
+      dying |= std::uint32_t{dies} << i;
     }
     list(record, dying, alive & ~dying);
   }
@@ -146,7 +151,7 @@ class ConflictRegion {
     unrolled<std::size_t{A + 1}>([&](std::size_t i) {
       const std::uint32_t beyond = record.neighbours[i] / 4;
       const std::uint32_t dies = dying >> i & 1U;
-      cells_.kill_if(dies, beyond);
+      cells_.set_dead(beyond, (staying >> i & 1U) == 0);
       places_[dead_count] = beyond;
       dead_count += dies;
       Facet& facet = boundary_[facet_count];
@@ -189,7 +194,7 @@ class ConflictRegion {
   // Vertices of dead cells that are not on the boundary have lost their power cell.
   void note_swallowed(std::vector<std::uint32_t>& swallowed) {
     for (const std::uint32_t cell : std::span(places_).first(dead_count_)) {
-      for (const std::uint32_t vertex : cells_.record(cell).corners) {
+      for (const std::uint32_t vertex : cells_[cell].corners) {
         if (numbers_[vertex].visit == visit_) continue;
         numbers_[vertex].visit = visit_;
         swallowed.push_back(vertex);
@@ -208,6 +213,7 @@ class ConflictRegion {
 
   void write(std::size_t f, const Cell& record) {
     cells_[places_[f]] = record;
+    cells_.set_dead(places_[f], false);
     const std::uint32_t outside = boundary_[f].outside;
     const std::uint32_t at = A == 1 ? 1 - outside % 4 : 0;
     cells_[outside / 4].neighbours[outside % 4] = 4 * places_[f] + at;
