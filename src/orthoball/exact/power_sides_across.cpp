@@ -89,14 +89,17 @@ ORTHOBALL_FOUR_LANES inline PlaneRows rows(const Sites<2>& sites, const Corners<
   return rows;
 }
 
-// Answers for the lanes of `facets`: what lies beyond the bound has the sign of the value, and
-// where the value is exact anything has.
+// Answers for the lanes of `facets`. What lies beyond the bound has the sign of the value; so has
+// everything where the value is exact, which is asked only if something is left.
+template <class IsExact>
 ORTHOBALL_FOUR_LANES inline GlancedSides sides(std::uint32_t facets, Four value, FourBits beyond,
-                                               FourBits exact) {
+                                               const IsExact& is_exact) {
   const std::uint32_t positive = signs(value > all(0.0));
-  const std::uint32_t zero = signs(value == all(0.0)) & signs(exact) & facets;
-  const std::uint32_t known = signs(beyond | exact) & facets & ~zero;
-  return {positive & known, known & ~positive, zero};
+  const std::uint32_t known = signs(beyond) & facets;
+  if (known == facets) return {positive & known, known & ~positive, 0};
+  const std::uint32_t exact = signs(is_exact()) & facets;
+  const std::uint32_t zero = exact & signs(value == all(0.0));
+  return {positive & (known | exact), (known | exact) & ~(positive | zero), zero};
 }
 
 // The error of the weights counts as so much lift that its share of the bound is covered.
@@ -143,9 +146,11 @@ __attribute__((target("avx2"))) GlancedSides glanced_power_sides_across(const Si
   // A neighbour with the apex in the place of corner i is negatively oriented, and its rows come in
   // an odd order if i is odd.
   const Four turned = {-1.0, 1.0, -1.0, 1.0};
-  const double most = exact_magnitude<3>(sites);
   return sides(0b1111U, value * turned, value * value > bound + all(kUnderflow * kUnderflow),
-               magnitude <= all(most * std::abs(most)));
+               [&]() ORTHOBALL_FOUR_LANES {
+                 const double most = exact_magnitude<3>(sites);
+                 return magnitude <= all(most * std::abs(most));
+               });
 }
 
 __attribute__((target("avx2"))) GlancedSides glanced_power_sides_across(const Sites<2>& sites,
@@ -169,8 +174,9 @@ __attribute__((target("avx2"))) GlancedSides glanced_power_sides_across(const Si
   const Four size = cell.size + first(cell.size) + other(cell.size) + apex.size +
                     all(lift_of_weight_error(sites));
   const Four bound = all(kPowerSideBound<2>) * (size * size) + all(kUnderflow);
-  return sides(0b111U, -value, absolute(value) > bound,
-               size * size <= all(exact_magnitude<2>(sites)));
+  return sides(0b111U, -value, absolute(value) > bound, [&]() ORTHOBALL_FOUR_LANES {
+    return size * size <= all(exact_magnitude<2>(sites));
+  });
 }
 
 #else

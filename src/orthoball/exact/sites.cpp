@@ -152,21 +152,17 @@ ExactSite<D> Sites<D>::exact(std::size_t site) const {
 }
 
 template <int D>
-Sites<D> Sites<D>::subset(std::span<const std::uint32_t> kept) const {
-  Sites result;
-  result.weight_error_ = weight_error_;
-  result.scale_exponent_ = scale_exponent_;
-  result.decimals_ = decimals_;
-  result.is_integral_ = is_integral_;
-  result.is_unweighted_ = is_unweighted_;
-  result.sites_.reserve(kept.size());
-  result.rows_.reserve(kept.size());
-  for (const std::uint32_t site : kept) {
-    result.sites_.push_back(sites_[site]);
-    result.rows_.push_back(rows_[site]);
-    if (!exact_.empty()) result.exact_.push_back(exact_[site]);
-  }
-  return result;
+void Sites<D>::drop(const std::vector<bool>& is_dropped) {
+  const auto drop_from = [&](auto& numbers) {
+    std::size_t kept = 0;
+    for (std::size_t site = 0; site < numbers.size(); ++site) {
+      if (!is_dropped[site]) numbers[kept++] = numbers[site];
+    }
+    numbers.erase(numbers.begin() + static_cast<std::ptrdiff_t>(kept), numbers.end());
+  };
+  drop_from(sites_);
+  drop_from(exact_);
+  drop_from(rows_);
 }
 
 template <int D>

@@ -71,8 +71,8 @@ class Sites {
   /// The unit of the points is 10^-decimals() input units (0 for doubles).
   [[nodiscard]] int decimals() const { return decimals_; }
 
-  /// The sites `kept[0], kept[1], ...` of this in that order.
-  [[nodiscard]] Sites subset(std::span<const std::uint32_t> kept) const;
+  /// Removes the sites i with is_dropped[i]; the others keep their order.
+  void drop(const std::vector<bool>& is_dropped);
   /// The same sites with coordinate axes[i] as coordinate i.
   [[nodiscard]] Sites with_axes(const std::array<int, std::size_t{D}>& axes) const;
 

@@ -113,7 +113,7 @@ RegularTriangulation<D> regular_triangulation(const WeightedPoints& points) {
   typename RegularTriangulation<D>::Parts parts;
   CurveOrder curve = curve_order<D>(points);
   parts.duplicates = std::move(curve.duplicates);
-  const Sites<D> sites(points, std::move(curve.rows));
+  Sites<D> sites(points, std::move(curve.rows));
   const std::vector<std::uint32_t> order = insertion_order(sites.size());
   const AffineBasis<D> basis = affine_basis(sites, order);
 
@@ -136,17 +136,12 @@ RegularTriangulation<D> regular_triangulation(const WeightedPoints& points) {
       break;
   }
 
-  std::vector<std::uint32_t> kept;
-  kept.reserve(sites.size());
   for (std::uint32_t site = 0; site < sites.size(); ++site) {
-    if (is_hidden[site]) {
-      parts.hidden.push_back(sites.row(site));
-    } else {
-      kept.push_back(site);
-    }
+    if (is_hidden[site]) parts.hidden.push_back(sites.row(site));
   }
   std::sort(parts.hidden.begin(), parts.hidden.end());
-  parts.sites = sites.subset(kept);
+  if (!parts.hidden.empty()) sites.drop(is_hidden);
+  parts.sites = std::move(sites);
   return RegularTriangulation<D>(std::move(parts));
 }
 
