@@ -17,7 +17,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
+
+#include "orthoball/exact/unrolled.h"
 
 namespace orthoball {
 namespace {
@@ -32,100 +33,101 @@ constexpr std::array<std::array<std::uint8_t, 3>, 4> kFacetSlots{
 constexpr std::array<std::array<std::uint8_t, 6>, 2> kAscendingSlot{
     {{0, 1, 2, 3, 4, 5}, {0, 2, 1, 4, 3, 5}}};
 
-bool is_descending(const CellRecord<3>& record) { return record.corners[3] < record.corners[2]; }
-
 // The place of a corner when all ascend.
-unsigned ascending_corner(unsigned corner, bool is_descending) {
-  return corner ^ (corner >> 1U & static_cast<unsigned>(is_descending));
+unsigned ascending_corner(unsigned corner, unsigned descends) {
+  return corner ^ (corner >> 1U & descends);
 }
 
+// Names from 0 on, each with a smaller one that it is united with, or itself.
 class EdgeNames {
  public:
-  explicit EdgeNames(std::size_t cells) {
-    parents_.reserve(2 * cells);
-    owners_.reserve(2 * cells);
-  }
+  explicit EdgeNames(std::size_t cells) { parents_.reserve(2 * cells + kStep); }
 
-  std::uint32_t add(std::uint32_t owner) {
-    const auto name = static_cast<std::uint32_t>(parents_.size());
-    parents_.push_back(name);
-    owners_.push_back(owner);
-    return name;
+  // Writes the names of a cell's edges, with a new one, in order, for each that has none. Without
+  // branches: which slots are new is hard to foretell.
+  void complete(const std::array<std::uint32_t, 6>& known, const std::array<std::uint8_t, 6>& order,
+                std::array<std::uint32_t, 6>& names) {
+    if (parents_.size() < size_ + names.size()) parents_.resize(parents_.size() + kStep);
+    for (const unsigned slot : order) {
+      parents_[size_] = size_;
+      const bool is_new = known[slot] == kNameless;
+      names[slot] = is_new ? size_ : known[slot];
+      size_ += is_new ? 1 : 0;
+    }
   }
   void unite(std::uint32_t a, std::uint32_t b) {
     a = root(a);
     b = root(b);
     if (a == b) return;
     parents_[std::max(a, b)] = std::min(a, b);
-    ++united_;
   }
-  // Ends the names: from here on, number() is known. Returns the edges' owners.
-  std::vector<std::uint32_t> number_all() {
-    std::vector<std::uint32_t> owners;
-    owners.reserve(parents_.size() - united_);
-    for (std::uint32_t name = 0; name < parents_.size(); ++name) {
-      const std::uint32_t parent = parents_[name];  // itself, or a smaller one that has its number
-      if (parent != name) {
-        parents_[name] = parents_[parent];
-        continue;
-      }
-      parents_[name] = static_cast<std::uint32_t>(owners.size());
-      owners.push_back(owners_[name]);
+  // Ends the names: from here on, number() is known. Returns the number of edges.
+  std::uint32_t number_all() {
+    std::uint32_t next = 0;
+    for (std::uint32_t name = 0; name < size_; ++name) {
+      const std::uint32_t parent = parents_[name];  // a smaller one has its number
+      const bool is_root = parent == name;
+      parents_[name] = is_root ? next : parents_[parent];
+      next += is_root ? 1 : 0;
     }
-    return owners;
+    return next;
   }
   [[nodiscard]] std::uint32_t number(std::uint32_t name) const { return parents_[name]; }
 
  private:
+  static constexpr std::size_t kStep = std::size_t{1} << 16U;
+
   std::uint32_t root(std::uint32_t name) {
     while (parents_[name] != name) name = parents_[name] = parents_[parents_[name]];
     return name;
   }
 
-  std::vector<std::uint32_t> parents_;  // [name]: never larger
-  std::vector<std::uint32_t> owners_;   // [name]: 6 * cell + slot that it was given at
-  std::size_t united_ = 0;
+  std::vector<std::uint32_t> parents_;  // [name]: never larger; some to spare behind the last name
+  std::uint32_t size_ = 0;
 };
 
 }  // namespace
 
 EdgeNumbers edge_numbers(std::span<const CellRecord<3>> cells) {
   EdgeNumbers result;
-  result.of_cells.resize(cells.size());
+  result.of_cells.reserve(cells.size());
   EdgeNames names(cells.size());
-  std::vector<bool> descending(cells.size());
+  std::vector<std::uint8_t> descending(cells.size());  // whether the last two corners are
   for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
-    const bool descends = is_descending(cells[cell]);
-    descending[cell] = descends;
-    auto& edges = result.of_cells[cell];
+    const auto& corners = cells[cell].corners;
+    const unsigned descends = corners[3] < corners[2] ? 1 : 0;
+    descending[cell] = static_cast<std::uint8_t>(descends);
+    std::array<std::uint32_t, 6> edges;
     edges.fill(kNameless);
     for (unsigned corner = 0; corner < 4; ++corner) {
       const std::uint32_t beyond = cells[cell].neighbours[corner];
-      const std::uint32_t other = beyond / 4;
-      if (other >= cell) continue;  // kOutside, too
+      if (beyond / 4 >= cell) continue;  // kOutside, too
+      const auto& others = result.of_cells[beyond / 4];
       const auto& here = kFacetSlots[ascending_corner(corner, descends)];
-      const auto& there = kFacetSlots[ascending_corner(beyond % 4, descending[other])];
-      for (unsigned i = 0; i < 3; ++i) {
-        const auto [first, last] = std::minmax({edges[here[i]], result.of_cells[other][there[i]]});
-        if (first != last && last != kNameless) names.unite(first, last);
-        edges[here[i]] = first;
-      }
+      const auto& there = kFacetSlots[ascending_corner(beyond % 4, descending[beyond / 4])];
+      unrolled<3>([&](std::size_t i) {
+        const std::uint32_t mine = edges[here[i]];
+        const std::uint32_t other = others[there[i]];
+        if (mine != other && mine != kNameless) names.unite(mine, other);
+        edges[here[i]] = std::min(mine, other);
+      });
     }
-    for (unsigned slot = 0; slot < 6; ++slot) {
-      std::uint32_t& name = edges[kAscendingSlot[descends ? 1 : 0][slot]];
-      if (name == kNameless) name = names.add(6 * cell + slot);
-    }
+    names.complete(edges, kAscendingSlot[descends], result.of_cells.emplace_back());
   }
 
-  result.owners = names.number_all();
+  result.owners.resize(names.number_all() + std::size_t{1});  // one to spare
+  std::uint32_t next = 0;
   for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
-    auto& edges = result.of_cells[cell];
-    if (descending[cell]) {
-      std::swap(edges[1], edges[2]);
-      std::swap(edges[3], edges[4]);
+    const auto names_of_cell = result.of_cells[cell];
+    const auto& order = kAscendingSlot[descending[cell]];
+    for (std::uint32_t slot = 0; slot < 6; ++slot) {
+      const std::uint32_t edge = names.number(names_of_cell[order[slot]]);
+      result.of_cells[cell][slot] = edge;
+      result.owners[next] = 6 * cell + slot;
+      next += edge == next ? 1 : 0;  // met for the first time
     }
-    for (std::uint32_t& edge : edges) edge = names.number(edge);
   }
+  result.owners.pop_back();
   return result;
 }
 

@@ -17,7 +17,7 @@ struct EdgeNumbers {
   std::vector<std::uint32_t> owners;  ///< [edge]: 6 * cell + slot for the smallest cell around it
 };
 
-/// Almost linear in the cells, fewer than 2^32 / 6; about 12 bytes a cell of transient memory.
+/// Almost linear in the cells, fewer than 2^32 / 6; about 8 bytes a cell of transient memory.
 [[nodiscard]] EdgeNumbers edge_numbers(std::span<const CellRecord<3>> cells);
 
 }  // namespace orthoball
