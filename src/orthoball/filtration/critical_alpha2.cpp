@@ -10,6 +10,7 @@
 #include "orthoball/filtration/critical_alpha2.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <utility>
 
@@ -35,18 +36,12 @@ class HandDown {
         never_(static_cast<std::uint32_t>(result.spectrum.size()) + 1) {}
 
   void run() {
-    const std::uint32_t kept = table_.first(kFillsSpace ? A - 1 : A);
-    result_.regular.assign(kept, never_);
-    result_.interior.assign(kept, kFillsSpace ? 0 : never_);
-    std::uint32_t facet = table_.first(A - 1);
+    result_.roles.assign(table_.first(kFillsSpace ? A - 1 : A),
+                         {.regular = never_, .interior = kFillsSpace ? 0 : never_});
+    std::uint32_t next_facet = table_.first(A - 1);
     for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
-      for (unsigned corner = 0; corner <= A; ++corner) {
-        const std::uint32_t beyond = cells_[cell].neighbours[corner];
-        if (beyond / 4 > cell)
-          pass_facet(cell, corner, A == 1 ? vertex_opposite(cell, corner) : facet++);
-        if (kFillsSpace && beyond == kOutside) end_at_hull(cell, corner);
-      }
-      if constexpr (kFillsSpace) end_in_cell(cell);
+      const FacetIndices facets = pass_facets(cell, next_facet);
+      pass_cell(cell, facets);
     }
     if constexpr (A == 3) pass_edges();
     for (std::uint32_t vertex = 0; vertex < table_.count(0); ++vertex) enter_if_attached(vertex);
@@ -54,62 +49,70 @@ class HandDown {
 
  private:
   static constexpr bool kFillsSpace = A == D;
+  // [corner]: when the facet opposite enters; never where another cell owns it.
+  using FacetIndices = std::array<std::uint32_t, std::size_t{A} + 1>;
 
-  [[nodiscard]] std::uint32_t vertex_opposite(std::uint32_t cell, unsigned corner) const {
-    return cells_[cell].corners[1 - corner];
-  }
-  [[nodiscard]] std::uint32_t edge_beside(std::uint32_t cell, unsigned i, unsigned j) const {
-    return table_.first(1) + edges_of_cells_[cell][5U - kEdgeSlot[i][j]];
-  }
   [[nodiscard]] std::uint32_t enters_of_cell(std::uint32_t cell) const {
     return result_.enters[table_.first(A) + cell];
   }
   void begin_with(std::uint32_t face, std::uint32_t index) {
-    result_.regular[face] = std::min(result_.regular[face], index);
+    result_.roles[face].regular = std::min(result_.roles[face].regular, index);
   }
   void end_with(std::uint32_t face, std::uint32_t index) {
-    result_.interior[face] = std::max(result_.interior[face], index);
+    result_.roles[face].interior = std::max(result_.roles[face].interior, index);
   }
   void enter_if_attached(std::uint32_t simplex) {
-    if (result_.is_attached[simplex]) result_.enters[simplex] = result_.regular[simplex];
+    if (result_.is_attached[simplex]) result_.enters[simplex] = result_.roles[simplex].regular;
   }
 
-  // Calls `visit(face)` for what is kept of the facets of a cell's facet.
-  template <class Visit>
-  void for_each_face(std::uint32_t cell, unsigned corner, const Visit& visit) const {
-    for (unsigned other = 0; other <= A; ++other) {
-      if (other == corner) continue;
-      if constexpr (A == 2) visit(cells_[cell].corners[other]);
-      if constexpr (A == 3) visit(edge_beside(cell, corner, other));
+  // From cells to the facets that `cell` owns, the first of which is `next`. Which these are is
+  // hard to foretell, so the others go through the same steps without effect.
+  FacetIndices pass_facets(std::uint32_t cell, std::uint32_t& next) {
+    FacetIndices result;
+    for (unsigned corner = 0; corner <= A; ++corner) {
+      const std::uint32_t beyond = cells_[cell].neighbours[corner];
+      const bool is_hull = beyond == kOutside;
+      const bool is_owned = beyond / 4 > cell;
+      const std::uint32_t facet = A == 1 ? cells_[cell].corners[A - corner] : next;
+      const std::uint32_t other = enters_of_cell(is_hull ? cell : beyond / 4);
+      const std::uint32_t regular = std::min(enters_of_cell(cell), other);
+      if (!kFillsSpace && is_owned) result_.roles[facet].regular = regular;
+      std::uint32_t& enters = result_.enters[facet];
+      enters = is_owned && result_.is_attached[facet] ? regular : enters;
+      result[corner] = is_owned ? enters : never_;
+      next += is_owned ? 1 : 0;
+      if (kFillsSpace && is_hull) end_at_hull(cell, corner);
     }
+    return result;
   }
 
-  // From the cells beside a facet to the facet, and from there to its own facets.
-  void pass_facet(std::uint32_t cell, unsigned corner, std::uint32_t facet) {
-    const std::uint32_t beyond = cells_[cell].neighbours[corner];
-    const std::uint32_t other = beyond == kOutside ? never_ : enters_of_cell(beyond / 4);
-    const std::uint32_t regular = std::min(enters_of_cell(cell), other);
-    if constexpr (!kFillsSpace) result_.regular[facet] = regular;
-    if (result_.is_attached[facet]) result_.enters[facet] = regular;
-    const std::uint32_t index = result_.enters[facet];
-    for_each_face(cell, corner, [&](std::uint32_t face) { begin_with(face, index); });
-  }
-
-  void end_in_cell(std::uint32_t cell) {
-    const std::uint32_t index = enters_of_cell(cell);
-    for (const std::uint32_t vertex : cells_[cell].corners) end_with(vertex, index);
+  // From a cell and its facets to what is kept of their faces.
+  void pass_cell(std::uint32_t cell, const FacetIndices& facets) {
+    const std::uint32_t index = kFillsSpace ? enters_of_cell(cell) : never_;
+    for (unsigned corner = 0; corner <= A; ++corner) {
+      const std::uint32_t vertex = cells_[cell].corners[corner];
+      if constexpr (kFillsSpace) end_with(vertex, index);
+      if constexpr (A == 2) {
+        begin_with(vertex, std::min(facets[(corner + 1) % 3], facets[(corner + 2) % 3]));
+      }
+    }
     if constexpr (A == 3) {
-      for (const std::uint32_t edge : edges_of_cells_[cell])
-        end_with(table_.first(1) + edge, index);
+      for (unsigned slot = 0; slot < 6; ++slot) {
+        const std::uint32_t edge = table_.first(1) + edges_of_cells_[cell][slot];
+        const auto [i, j] = kEdgeCorners[5 - slot];
+        begin_with(edge, std::min(facets[i], facets[j]));
+        end_with(edge, index);
+      }
     }
   }
 
   void end_at_hull(std::uint32_t cell, unsigned corner) {
     for (unsigned other = 0; other <= A; ++other) {
-      if (other != corner) end_with(cells_[cell].corners[other], never_);
-    }
-    if constexpr (A == 3) {
-      for_each_face(cell, corner, [&](std::uint32_t edge) { end_with(edge, never_); });
+      if (other == corner) continue;
+      end_with(cells_[cell].corners[other], never_);
+      if constexpr (A == 3) {
+        end_with(table_.first(1) + edges_of_cells_[cell][5U - kEdgeSlot[corner][other]], never_);
+      }
     }
   }
 

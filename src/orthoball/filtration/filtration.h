@@ -88,14 +88,14 @@ class Filtration {
   /// Index at which its first proper coface joins: enters() for a D-simplex, never() for a simplex
   /// without cofaces where the sites span less than R^D.
   [[nodiscard]] std::uint32_t regular(SimplexId simplex) const {
-    if (simplex.row() < critical_.regular.size()) return critical_.regular[simplex.row()];
+    if (simplex.row() < critical_.roles.size()) return critical_.roles[simplex.row()].regular;
     const auto [cell, other] = entering_beside(simplex);
     return std::min(cell, other);
   }
   /// Index from which it is inside the shape: enters() for a D-simplex, never() on the convex hull
   /// and where the sites span less than R^D.
   [[nodiscard]] std::uint32_t interior(SimplexId simplex) const {
-    if (simplex.row() < critical_.interior.size()) return critical_.interior[simplex.row()];
+    if (simplex.row() < critical_.roles.size()) return critical_.roles[simplex.row()].interior;
     const auto [cell, other] = entering_beside(simplex);
     return std::max(cell, other);
   }
