@@ -105,10 +105,11 @@ void Ranking<D, A>::add_labels(LabelBuckets& labels) const {
     size = 0;
   };
   for (std::uint32_t number = 0; number < count(K); ++number) {
-    if (is_attached_[first(K) + number]) continue;
+    // What is attached is written over by the next: whether it is is hard to foretell.
     simplices[size] = first(K) + number;
     corners[size] = reader_.template corners<K>(number);
-    if (++size == kBlock) flush();
+    size += is_attached_[first(K) + number] ? 0U : 1U;
+    if (size == kBlock) flush();
   }
   flush();
 }
@@ -133,8 +134,7 @@ std::vector<double> Ranking<D, A>::sample_of_labels() const {
 
 template <int D, int A>
 LabelBuckets Ranking<D, A>::labels() const {
-  const auto attached = std::count(is_attached_.begin(), is_attached_.end(), true);
-  LabelBuckets result(table_.size() - static_cast<std::size_t>(attached), sample_of_labels());
+  LabelBuckets result(table_.size(), sample_of_labels());
   add_labels<0>(result);
   if constexpr (A >= 1) add_labels<1>(result);
   if constexpr (A >= 2) add_labels<2>(result);
@@ -244,11 +244,14 @@ void Ranking<D, A>::rank_exactly(std::span<std::uint32_t> simplices, double labe
 
 template <int D, int A>
 void Ranking<D, A>::rank(const LabelBuckets& labels) {
+  constexpr std::size_t kAhead = 24;  // simplices of one part are far from each other
   result_.enters.resize(table_.size());
   result_.spectrum.reserve(labels.size());
   labels.for_each_part(
       [&](std::span<const std::uint64_t> keys, std::span<std::uint32_t> simplices) {
         for (std::size_t begin = 0; begin < keys.size();) {
+          const std::size_t ahead = std::min(begin + kAhead, keys.size() - 1);
+          __builtin_prefetch(&result_.enters[simplices[ahead]], 1);
           std::size_t end = begin + 1;
           // -0 stands for negative values too small for a double, less than what 0 stands for.
           while (end < keys.size() && keys[end] == keys[begin]) ++end;
