@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -161,22 +162,13 @@ std::string rows_text(const Rows& rows, const Write& write) {
                      rows.size() > kShown ? ", ..." : "");
 }
 
-template <int D>
-std::string simplices_text(const Facts<D>& facts) {
-  const std::vector<std::string> nouns{"vertices", "edges", "triangles", "tetrahedra"};
+// "4 vertices, 1 triangle": how many there are of each dimension.
+std::string counts_text(std::span<const std::uint32_t> counts) {
+  const std::vector<std::string> one{"vertex", "edge", "triangle", "tetrahedron"};
+  const std::vector<std::string> many{"vertices", "edges", "triangles", "tetrahedra"};
   std::vector<std::string> words;
-  for (std::size_t d = 0; d <= D; ++d) {
-    words.push_back(fmt::format("{} {}", facts.simplices[d], nouns[d]));
-  }
-  return joined(words);
-}
-
-template <int D>
-std::string attached_text(const Facts<D>& facts) {
-  std::vector<std::string> words;
-  const std::vector<std::string> nouns{"vertices", "edges", "triangles"};
-  for (std::size_t d = 0; d < D; ++d) {
-    words.push_back(fmt::format("{} {}", facts.attached[d], nouns[d]));
+  for (std::size_t d = 0; d < counts.size(); ++d) {
+    words.push_back(fmt::format("{} {}", counts[d], counts[d] == 1 ? one[d] : many[d]));
   }
   return joined(words);
 }
@@ -242,8 +234,8 @@ std::string text_report(const Loaded& input, const orthoball::Filtration<D>& fil
                }));
   text += line("hidden", rows_text(triangulation.hidden(),
                                    [](auto row) { return std::to_string(row.row()); }));
-  text += line("simplices", simplices_text(facts));
-  text += line("attached", attached_text(facts));
+  text += line("simplices", counts_text(facts.simplices));
+  text += line("attached", counts_text(std::span(facts.attached).first(D)));
   text +=
       line("spectrum", size == 0 ? std::string("empty: there are no sites")
                                  : fmt::format("{} distinct alpha2 from {} to {}{}", size,

@@ -93,6 +93,11 @@ class ExitStatuses(InAFolder):
     def test_an_unknown_command_is_named(self):
         self.assertIn('"no_such_command"', self.refused(2, "no_such_command", C60))
 
+    def test_options_of_other_formats_are_refused(self):
+        self.assertIn("for molecules", self.refused(2, "summary", EIGHT, "--radii", "bondi"))
+        self.assertIn("for molecules", self.refused(2, "summary", EIGHT, "--waters", "keep"))
+        self.assertIn("for tables", self.refused(2, "summary", C60, "--columns", "1,2"))
+
     def test_a_file_over_the_limit_of_the_system_is_3(self):
         output = self.folder / "filter.csv"
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1024, 1024))
@@ -263,6 +268,10 @@ class Summary(InAFolder):
         at = self.summary(TWO_BALLS, "--alpha2", "-1,2")["at"]
         self.assertEqual([entry["betti"][0] for entry in at], [2, 1])
         self.assertEqual([entry["index"] for entry in at], [1, 2])
+
+    def test_one_is_singular(self):
+        path = self.file("four.csv", "x,y,z\n0,0,0\n1,0,0\n0,1,0\n0,0,1\n")
+        self.assertIn("4 triangles, 1 tetrahedron\n", orthoball("summary", path).stdout)
 
     def test_the_text_names_reading_and_notable_alphas(self):
         text = self.done("summary", C60).stdout

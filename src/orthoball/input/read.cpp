@@ -21,7 +21,7 @@ struct Format {
   std::string_view endings;  // of file names, each with a blank before and after it
   Reader reader;
   bool is_text;
-  bool is_molecule;  // has no columns to choose from
+  bool is_molecule;  // has atoms to choose from, and no columns
 };
 
 constexpr std::array kFormats = {
@@ -170,6 +170,12 @@ Reading read(const std::string& path, const ReadOptions& options) {
   if (format->is_molecule && has_columns) {
     refuse_options("columns cannot be chosen in the format " + std::string(format->name) +
                    "; they are for tables");
+  }
+  const bool has_atoms = !options.radii.empty() || options.default_radius.has_value() ||
+                         !(options.molecule == MoleculeOptions{});
+  if (!format->is_molecule && has_atoms) {
+    refuse_options("atoms and their radii cannot be chosen in the format " +
+                   std::string(format->name) + "; they are for molecules");
   }
   Reading reading = format->reader(source, options);
   reading.file = path;

@@ -18,6 +18,7 @@ struct MoleculeOptions {
   bool ligands = true;         ///< keep hetero atoms that are not water
   bool waters = false;         ///< keep HOH, WAT, DOD, TIP3, SOL, ...
   std::vector<std::string> chains{};  ///< keep these only; empty: all
+  friend bool operator==(const MoleculeOptions&, const MoleculeOptions&) = default;
 };
 
 /// How a file is to be read; each default is what its name and content suggest.
