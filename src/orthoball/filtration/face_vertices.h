@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 #include "orthoball/filtration/edge_ring.h"
 #include "orthoball/filtration/filtration.h"
@@ -29,7 +28,9 @@ template <std::size_t N, int D>
     const std::size_t left_out = owner % 4;
     for (std::size_t i = 0; i < N; ++i) result[i] = record.corners[i < left_out ? i : i + 1];
     // Corners ascend but for the last two.
-    if (result[N - 1] < result[N - 2]) std::swap(result[N - 2], result[N - 1]);
+    const std::uint32_t a = result[N - 2], b = result[N - 1];
+    result[N - 2] = std::min(a, b);
+    result[N - 1] = std::max(a, b);
   } else {
     const std::uint32_t owner = table.edge_owners()[face.row() - table.first(1)];
     const CellRecord<D>& record = cells[owner / 6];

@@ -120,6 +120,8 @@ MeasureScan<D>::MeasureScan(const Filtration<D>& filtration) {
 template <int D>
 void MeasureScan<D>::advance(const ByDimension<D>& entering) {
   facets_entered_ += entering[kOfFacets];
+  cells_are_new_ |= entering[D] != 0;
+  facets_are_new_ |= entering[kOfFacets] != 0;
   for (Sums& sums : sums_) advance(entering, sums);
 }
 
@@ -147,42 +149,52 @@ void MeasureScan<D>::advance(const ByDimension<D>& entering, Sums& sums) {
 }
 
 template <int D>
-ComplexMeasures MeasureScan<D>::measures() const {
-  ComplexMeasures result;
-  // Which sums to read: those in input units, unless terms that are part of the result are missing.
-  const auto without = [&](std::uint64_t missing) -> const Sums& {
-    return missing == 0 ? sums_.front() : sums_.back();
-  };
+const ComplexMeasures& MeasureScan<D>::measures() {
+  if (cells_are_new_) read_volume();
+  if (cells_are_new_ || facets_are_new_) read_areas();
+  if constexpr (D == 3) read_length();
+  cells_are_new_ = facets_are_new_ = false;
+  return measures_;
+}
+
+template <int D>
+void MeasureScan<D>::read_volume() {
+  const Sums& s = without(sums_.front().volume.large_count());
+  measures_.volume = s.volume_units(s.volume.value());
+}
+
+template <int D>
+void MeasureScan<D>::read_areas() {
   const Sums& front = sums_.front();
   const std::uint64_t singular_missing =
       front.area_entered.large_count() - front.area_regular_ever.large_count();
   const std::uint64_t regular_missing =
       front.area_regular_ever.large_count() - front.area_interior.large_count();
-
-  const Sums& for_volume = without(front.volume.large_count());
-  result.volume = for_volume.volume_units(for_volume.volume.value());
+  measures_.area_singular = measures_.area_regular = measures_.area = 0.0;
   if (facets_entered_ != facets_regular_ever_) {
     const Sums& s = without(singular_missing);
-    result.area_singular = s.area_units(s.area_entered.value() - s.area_regular_ever.value());
+    measures_.area_singular = s.area_units(s.area_entered.value() - s.area_regular_ever.value());
   }
   if (facets_regular_ever_ != facets_interior_) {
     const Sums& s = without(regular_missing);
-    result.area_regular = s.area_units(s.area_regular_ever.value() - s.area_interior.value());
+    measures_.area_regular = s.area_units(s.area_regular_ever.value() - s.area_interior.value());
   }
   if (facets_entered_ != facets_interior_) {
     const Sums& s = without(singular_missing + regular_missing);
     const DoubleDouble entered = s.area_entered.value();
-    result.area =
+    measures_.area =
         s.area_units((entered - s.area_interior.value()) + (entered - s.area_regular_ever.value()));
   }
-  if constexpr (D == 3) {
-    const Sums& s = without(front.edge_length.large_count() + front.perimeter.large_count() +
-                            front.cell_length.large_count());
-    const DoubleDouble edges = s.edge_length.value();
-    const DoubleDouble straight = (edges + edges) - s.perimeter.value();
-    result.length = s.length_units(kPi * straight + s.cell_length.value());
-  }
-  return result;
+}
+
+template <int D>
+void MeasureScan<D>::read_length() {
+  const Sums& front = sums_.front();
+  const Sums& s = without(front.edge_length.large_count() + front.perimeter.large_count() +
+                          front.cell_length.large_count());
+  const DoubleDouble edges = s.edge_length.value();
+  const DoubleDouble straight = (edges + edges) - s.perimeter.value();
+  measures_.length = s.length_units(kPi * straight + s.cell_length.value());
 }
 
 template <int D>

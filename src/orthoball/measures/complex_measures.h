@@ -47,8 +47,8 @@ class MeasureScan {
   /// must be all simplices of one or more indices.
   void advance(const ByDimension<D>& entering);
 
-  /// Of all simplices added.
-  [[nodiscard]] ComplexMeasures measures() const;
+  /// Of all simplices added. Rounds anew what has changed since it was last asked.
+  [[nodiscard]] const ComplexMeasures& measures();
 
  private:
   // The sums in one unit of length.
@@ -67,9 +67,18 @@ class MeasureScan {
   static constexpr std::size_t kOfFacets = kCorners<D> - 2;
 
   void advance(const ByDimension<D>& entering, Sums& sums);
+  void read_volume();
+  void read_areas();
+  void read_length();
+  // The sums to read: the preferred ones, unless terms that are part of the result are missing.
+  [[nodiscard]] const Sums& without(std::uint64_t missing) const {
+    return missing == 0 ? sums_.front() : sums_.back();
+  }
 
   std::vector<Sums> sums_;  // the preferred unit first
   std::uint32_t facets_entered_ = 0, facets_regular_ever_ = 0, facets_interior_ = 0;
+  bool cells_are_new_ = false, facets_are_new_ = false;
+  ComplexMeasures measures_;
 };
 
 /// Volume of the convex hull and its two-sided area: the measures of the last complex. Coplanar

@@ -248,24 +248,22 @@ void in_batches(std::span<const std::uint32_t> simplices, const Approach& approa
   }
 }
 
-// The steps of in_batches to the sites of a face, whose owner knows the cell that has its corners.
-template <int D>
+// The steps of in_batches to the sites of a face, where owners[face] is kPlaces * cell + a place.
+template <int D, std::uint32_t kPlaces>
 class FaceApproach {
  public:
-  // owners[face] is kDivisor * cell + a place in it.
-  FaceApproach(const Filtration<D>& filtration, int dimension)
+  FaceApproach(const Filtration<D>& filtration, int dimension,
+               std::span<const std::uint32_t> owners)
       : cells_(filtration.triangulation().template cells<D>()),
         sites_(filtration.triangulation().sites().span()),
         first_(filtration.table().first(dimension)),
-        divisor_(dimension == D - 1 ? 4 : 6),
-        owners_(dimension == D - 1 ? filtration.table().facet_owners()
-                                   : filtration.table().edge_owners()) {}
+        owners_(owners) {}
 
   [[gnu::always_inline]] void operator()(std::uint32_t face, unsigned step) const {
     if (cells_.empty()) return;
     const std::uint32_t& owner = owners_[face - first_];
     if (step == 0) return __builtin_prefetch(&owner);
-    const CellRecord<D>& record = cells_[owner / divisor_];
+    const CellRecord<D>& record = cells_[owner / kPlaces];
     if (step == 1) return __builtin_prefetch(&record);
     for (const std::uint32_t corner : record.corners) __builtin_prefetch(&sites_[corner]);
   }
@@ -274,7 +272,6 @@ class FaceApproach {
   std::span<const CellRecord<D>> cells_;
   std::span<const Site<D>> sites_;
   std::uint32_t first_;
-  std::uint32_t divisor_;
   std::span<const std::uint32_t> owners_;
 };
 
@@ -314,6 +311,7 @@ void Contributions<D>::measure(std::span<const std::uint32_t> cells,
   const Source<D> source{triangulation.sites(), is_wide_, unit_exponent_};
   const auto records = triangulation.template cells<D>();
   const std::uint32_t first = filtration_->table().first(D);
+  const std::span<const std::uint32_t> enters = filtration_->enters().subspan(first);
   Batch<D, kCorners<D>> batch{};
   CellRows<D> rows;
   std::array<Vertices<kCorners<D>>, kLanes> vertices;
@@ -322,16 +320,23 @@ void Contributions<D>::measure(std::span<const std::uint32_t> cells,
   constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63U;
 
   const auto approach = [&](std::uint32_t simplex, unsigned step) __attribute__((always_inline)) {
-    const CellRecord<D>& record = records[simplex - first];
+    const std::uint32_t cell = simplex - first;
+    const CellRecord<D>& record = records[cell];
     if (step == 0) return __builtin_prefetch(&record);
-    if (step != 2) return;
+    if (step == 1) {
+      __builtin_prefetch(&enters[cell]);
+      for (const std::uint32_t beyond : record.neighbours) {
+        if (beyond != kOutside) __builtin_prefetch(&enters[beyond / 4]);
+      }
+      return;
+    }
     for (const std::uint32_t corner : record.corners) __builtin_prefetch(&source.sites[corner]);
   };
   const auto load = [&](std::uint32_t simplex, std::size_t lane) {
     const std::uint32_t cell = simplex - first;
     const CellRecord<D>& record = records[cell];
     const auto place_in_filter = [&](std::uint32_t of) {
-      return std::uint64_t{filtration_->enters(SimplexId(first + of))} << 32U | of;
+      return std::uint64_t{enters[of]} << 32U | of;
     };
     const std::uint64_t own = place_in_filter(cell);
     for (std::size_t corner = 0; corner < kCorners<D>; ++corner) {
@@ -382,7 +387,7 @@ void Contributions<D>::measure(std::span<const std::uint32_t> facets,
   Batch<D, kCorners<D> - 1> batch{};
   FacetRows rows;
   in_batches(
-      facets, FaceApproach<D>(*filtration_, D - 1),
+      facets, FaceApproach<D, 4>(*filtration_, D - 1, filtration_->table().facet_owners()),
       [&](std::uint32_t simplex, std::size_t lane) {
         source.load(face_vertices<kCorners<D> - 1>(*filtration_, SimplexId(simplex)), lane, batch);
       },
@@ -403,7 +408,7 @@ void Contributions<D>::measure(std::span<const std::uint32_t> edges,
     Batch<D, 2> batch{};
     Row lengths;
     in_batches(
-        edges, FaceApproach<D>(*filtration_, 1),
+        edges, FaceApproach<D, 6>(*filtration_, 1, filtration_->table().edge_owners()),
         [&](std::uint32_t simplex, std::size_t lane) {
           source.load(face_vertices<2>(*filtration_, SimplexId(simplex)), lane, batch);
         },

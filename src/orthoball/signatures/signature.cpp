@@ -39,7 +39,7 @@ class SignatureScan {
     return true;
   }
 
-  void read(Signature<D>& signature) const {
+  void read(Signature<D>& signature) {
     signature.index = steps_.index();
     signature.alpha2 = signature.index == 0 ? -std::numeric_limits<double>::infinity()
                                             : filtration_.alpha2(signature.index);
@@ -49,7 +49,7 @@ class SignatureScan {
     signature.singular = roles_.singular();
     signature.regular = roles_.regular();
     signature.interior = roles_.interior();
-    const ComplexMeasures measures = measures_.measures();
+    const ComplexMeasures& measures = measures_.measures();
     signature.volume = measures.volume;
     signature.area_singular = measures.area_singular;
     signature.area_regular = measures.area_regular;
