@@ -2,6 +2,7 @@
 // Compares the library with the reference results beside the project, where they are: each input is
 // computed, written as a candidate in the keys of the expected file, and judged by its compare.py.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -202,8 +203,9 @@ TEST_P(Reference, AgreesInEveryKey) {
     }
   }
 
-  const Path folder = std::filesystem::temp_directory_path() /
-                      ("orthoball_reference_" + GetParam().filename().string());
+  const Path folder =
+      std::filesystem::temp_directory_path() /
+      ("orthoball_reference_" + std::to_string(getpid()) + "_" + GetParam().filename().string());
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "candidate.json") << result.dump();
   const Path report = folder / "report.txt";

@@ -22,8 +22,8 @@ using BettiNumbers = std::array<std::uint32_t, static_cast<std::size_t>(D)>;
 /// What every simplex does when it joins the complex in filter order: a k-simplex either closes a
 /// k-cycle, and betti k grows by one, or fills a (k-1)-cycle, and betti k-1 shrinks by one. Exact.
 ///
-/// One bit a simplex; while they are made, up to 90 bytes a site in space. Nearly
-/// linear time.  @cite delfinado_edelsbrunner_1995
+/// One bit a simplex; while they are made, about 120 bytes a site in space. Nearly linear time.
+///  @cite delfinado_edelsbrunner_1995
 template <int D>
 class CycleMarks {
  public:
