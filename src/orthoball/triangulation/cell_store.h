@@ -25,7 +25,7 @@ class CellStore {
  public:
   using Cell = CellRecord<A>;  // neighbours are 4 * cell + corner, never kOutside
 
-  /// @param vertices  numbers of finite vertices are below; at most 2^30.
+  /// @param vertices  numbers of finite vertices are below; at most 2^31.
   explicit CellStore(std::uint32_t vertices) : infinity_(std::bit_ceil(vertices)) {}
 
   /// A power of two, not below the number of vertices: a bit that no vertex has.
