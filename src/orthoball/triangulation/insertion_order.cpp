@@ -30,7 +30,7 @@ struct CurveTable {
     std::uint8_t next;  // state
   };
   // [state * 2^D + one bit of each coordinate]; state = entry corner * D + exit axis
-  std::array<Step, (1U << D) * D*(1U << D)> steps{};
+  std::array<Step, (std::size_t{1} << D) * D*(1U << D)> steps{};
 
   constexpr CurveTable() {
     for (unsigned entry = 0; entry < 1U << D; ++entry) {
@@ -112,7 +112,7 @@ class Box {
 
 // Coordinates, then weight: the order of sites in one cube of the curve; 0 for equal sites.
 template <int D>
-int compared(const WeightedPoints& points, std::uint32_t a, std::uint32_t b) {
+int compared(const WeightedPoints& points, std::size_t a, std::size_t b) {
   const auto order = [](double p, double q) { return (p > q) - (p < q); };
   for (std::size_t axis = 0; axis < D; ++axis) {
     const int by = order(points.coordinates()[D * a + axis], points.coordinates()[D * b + axis]);
@@ -139,7 +139,7 @@ CurveOrder curve_order(const WeightedPoints& points) {
   for (std::uint32_t row = 0; row < keyed.size(); ++row) {
     std::array<std::uint32_t, std::size_t{D}> cube;
     for (std::size_t axis = 0; axis < D; ++axis) {
-      cube[axis] = box.integer(points.coordinates()[D * row + axis], axis);
+      cube[axis] = box.integer(points.coordinates()[std::size_t{D} * row + axis], axis);
     }
     keyed[row] = {curve_index<D>(cube, Box<D>::kLevels), row};
   }
