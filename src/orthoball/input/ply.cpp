@@ -110,14 +110,14 @@ class HeaderReader {
     split_at_blanks(line_, fields_);
     return true;
   }
-  Encoding encoding_named() const {
+  [[nodiscard]] Encoding encoding_named() const {
     const std::string_view name = fields_.size() > 1 ? fields_[1] : std::string_view();
     if (name == "ascii") return Encoding::ascii;
     if (name == "binary_little_endian") return Encoding::little_endian;
     if (name == "binary_big_endian") return Encoding::big_endian;
     fail("format " + quoted(name) + "; ascii and the two binary ones are read");
   }
-  Property property() const {
+  [[nodiscard]] Property property() const {
     const bool is_list = fields_.size() == 5 && fields_[1] == "list";
     if (!is_list && fields_.size() != 3) fail("a property needs a type and a name");
     const auto type = number_type(fields_[is_list ? 3 : 1]);

@@ -191,6 +191,7 @@ Reading read(const std::string& path, const ReadOptions& options) {
 const std::vector<std::string>& input_formats() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
+    all.reserve(kFormats.size());
     for (const Format& format : kFormats) all.emplace_back(format.name);
     return all;
   }();

@@ -15,7 +15,7 @@
 namespace orthoball {
 namespace {
 
-enum Mode : int { kPoints = 0, kLines = 1, kTriangles = 4 };  // glTF's numbers
+constexpr int kPoints = 0, kLines = 1, kTriangles = 4;  // glTF's numbers of primitives
 
 // One draw call: the simplices of one dimension and role.
 struct Primitive {

@@ -178,7 +178,8 @@ void SignaturePlot<D>::write(ByteSink& sink) const {
     }
     labels.back().letters += letter;
   }
-  const double height = bottom + 66 + 17 * static_cast<double>((explanations.size() + 3) / 4);
+  const std::size_t explanation_rows = (explanations.size() + 3) / 4;
+  const double height = bottom + 66 + 17 * static_cast<double>(explanation_rows);
 
   sink.text(fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
@@ -211,8 +212,9 @@ void SignaturePlot<D>::write(ByteSink& sink) const {
                axis_title(options_));
   }
   for (std::size_t i = 0; i < explanations.size(); ++i) {
-    write_text(sink, kLeft + 215 * static_cast<double>(i % 4),
-               bottom + 62 + 17 * static_cast<double>(i / 4), "fill=\"#5b6570\"", explanations[i]);
+    const std::size_t row = i / 4, column = i % 4;
+    write_text(sink, kLeft + 215 * static_cast<double>(column),
+               bottom + 62 + 17 * static_cast<double>(row), "fill=\"#5b6570\"", explanations[i]);
   }
   if (last_ > to_) {
     write_text(sink, kLeft + 2 * kPanelWidth + kBetweenColumns, 50,
