@@ -22,9 +22,11 @@ namespace {
 using Four = double __attribute__((vector_size(32)));
 using FourBits = std::int64_t __attribute__((vector_size(32)));
 
-ORTHOBALL_FOUR_LANES inline Four loaded(const double* from) {
+// The coordinates and the weight.
+ORTHOBALL_FOUR_LANES inline Four loaded(const Site<3>& site) {
   Four four;
-  std::memcpy(&four, from, sizeof four);
+  static_assert(sizeof four == sizeof site);
+  std::memcpy(&four, &site, sizeof four);
   return four;
 }
 ORTHOBALL_FOUR_LANES inline Four all(double number) { return Four{number, number, number, number}; }
@@ -50,10 +52,10 @@ struct SpaceRows {
 
 ORTHOBALL_FOUR_LANES inline SpaceRows rows(const Sites<3>& sites, const Corners<3>& corners,
                                            Four query) {
-  const Four a = loaded(sites[corners[0]].x) - query;  // the weight follows the coordinates
-  const Four b = loaded(sites[corners[1]].x) - query;
-  const Four c = loaded(sites[corners[2]].x) - query;
-  const Four d = loaded(sites[corners[3]].x) - query;
+  const Four a = loaded(sites[corners[0]]) - query;
+  const Four b = loaded(sites[corners[1]]) - query;
+  const Four c = loaded(sites[corners[2]]) - query;
+  const Four d = loaded(sites[corners[3]]) - query;
   const Four ab_xz = __builtin_shufflevector(a, b, 0, 4, 2, 6);
   const Four ab_yw = __builtin_shufflevector(a, b, 1, 5, 3, 7);
   const Four cd_xz = __builtin_shufflevector(c, d, 0, 4, 2, 6);
@@ -122,7 +124,7 @@ __attribute__((target("avx2"))) GlancedSides glanced_power_sides_across(const Si
                                                                         const Corners<3>& corners,
                                                                         const Corners<3>& apexes,
                                                                         std::uint32_t query) {
-  const Four origin = loaded(sites[query].x);
+  const Four origin = loaded(sites[query]);
   const SpaceRows cell = rows(sites, corners, origin);
   const SpaceRows apex = rows(sites, apexes, origin);
 

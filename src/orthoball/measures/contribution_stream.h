@@ -16,7 +16,7 @@ namespace orthoball {
 /// Neighbours in the filter are far apart in space and in memory, and the other way round. So the
 /// simplices of a window (kWindow of them) are grouped by their numbers and measured group by
 /// group; the results are dealt out to stretches of the filter (kStretch of them), and each of
-/// these is put in order when it is reached, in the processor's caches. At most (10 + size of a
+/// these is put in order when it is reached, in the processor's caches. At most (14 + size of a
 /// contribution) bytes times kWindow.
 template <int D, class Contribution>
 class ContributionStream {

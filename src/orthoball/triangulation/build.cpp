@@ -65,7 +65,7 @@ std::uint32_t start_cells(CellStore<A>& cells, const Sites<D>& sites,
 template <int A, int D>
 CellStore<A> inserted_cells(const Sites<D>& sites, std::span<const std::uint32_t> order,
                             std::span<const std::uint32_t> basis, std::vector<bool>& is_hidden) {
-  CellStore<A> cells(static_cast<std::uint32_t>(sites.size()));
+  CellStore<A> cells(sites.size());
   constexpr std::size_t kCellsPerSite = A == 3 ? 7 : 2;  // what uniform points need
   cells.reserve(kCellsPerSite * sites.size() + sites.size() / 4 + 64);
   std::uint32_t cell = start_cells<A, D>(cells, sites, basis);

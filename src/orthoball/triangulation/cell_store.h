@@ -25,8 +25,9 @@ class CellStore {
  public:
   using Cell = CellRecord<A>;  // neighbours are 4 * cell + corner, never kOutside
 
-  /// @param vertices  numbers of finite vertices are below; at most 2^31.
-  explicit CellStore(std::uint32_t vertices) : infinity_(std::bit_ceil(vertices)) {}
+  /// @param vertices  numbers of finite vertices are below.
+  /// @throws LimitError for more than 2^30.
+  explicit CellStore(std::size_t vertices) : infinity_(infinity_above(vertices)) {}
 
   /// A power of two, not below the number of vertices: a bit that no vertex has.
   [[nodiscard]] std::uint32_t infinity() const { return infinity_; }
@@ -48,6 +49,7 @@ class CellStore {
 
   void reserve(std::size_t cells) { cells_.reserve(cells); }
   /// A new cell, or a released one.
+  /// @throws LimitError for more than 2^30 cells.
   [[nodiscard]] std::uint32_t acquire() {
     if (released_.empty()) return added();
     const std::uint32_t cell = released_.back();
@@ -70,9 +72,16 @@ class CellStore {
   }
 
  private:
+  // Neighbours keep 2 bits for a corner; vertices have more cells than they are.
+  static constexpr std::size_t kMostCells = std::size_t{1} << 30U;
+
+  static std::uint32_t infinity_above(std::size_t vertices) {
+    if (vertices > kMostCells) {
+      throw LimitError(std::to_string(vertices) + " sites; at most 2^30 can be triangulated");
+    }
+    return std::bit_ceil(static_cast<std::uint32_t>(vertices));
+  }
   std::uint32_t added() {
-    // Neighbours keep 2 bits for a corner.
-    constexpr std::size_t kMostCells = std::size_t{1} << 30U;
     if (cells_.size() == kMostCells) {
       throw LimitError("more than 2^30 cells in the triangulation; at most 150 million sites fit");
     }

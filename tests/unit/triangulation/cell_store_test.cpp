@@ -25,6 +25,13 @@ TEST(CellStore, KnowsTheVertexAtInfinity) {
   EXPECT_EQ(cells.size(), 5U);
 }
 
+TEST(CellStore, RefusesMoreVerticesThanItCanNumber) {
+  const std::size_t most = std::size_t{1} << 30U;
+  EXPECT_EQ(CellStore<3>(most).infinity(), most);
+  EXPECT_THROW(CellStore<3>(most + 1), LimitError);
+  EXPECT_THROW(CellStore<2>((std::size_t{1} << 32U) - 3), LimitError);
+}
+
 TEST(CellStore, GivesReleasedCellsAgain) {
   CellStore<2> cells(4);
   const std::uint32_t a = cells.acquire();
