@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -89,6 +92,79 @@ TEST(PowerSidesAcross, ClaimsNothingFalseOfNumbersOfAnySize) {
           5,    6, 7,     0, 0,     least, 1e-160, 0,     1e160, 1,     1, 1, 3,     1e-9,   4},
       WeightKind::radius, {most, 1e200, least, 0, 1, -most, -3e-320, 2, 0, 1e-160});
   check_sides<3>(points, 1, 1000);
+}
+
+// A facet of rows (x, lift) seen from the origin, with the unit as determinant of its x, and an
+// apex whose row is their sum, but for `step` in its lift: the determinant is +-step, however long
+// the rows are.
+template <int D>
+WeightedPoints rows_of_small_determinant(Random& random, int size, int step) {
+  const double m = std::ldexp(1.0, size);
+  // A lower times an upper triangular matrix with ones on the diagonals.
+  const auto entry = [&] { return std::floor(random.uniform() * std::sqrt(m)) + 1.0; };
+  std::array<std::array<double, std::size_t{D}>, std::size_t{D}> lower{}, upper{};
+  for (std::size_t i = 0; i < D; ++i) {
+    lower[i][i] = upper[i][i] = 1.0;
+    for (std::size_t j = 0; j < i; ++j) {
+      lower[i][j] = entry();
+      upper[j][i] = entry();
+    }
+  }
+  std::vector<double> x(D * D, 0.0);
+  for (std::size_t i = 0; i < D * D * D; ++i) {
+    x[i / D] += lower[i / (D * D)][i % D] * upper[i % D][i / D % D];
+  }
+  std::vector<double> lifts;
+  for (int i = 0; i < D; ++i) lifts.push_back(std::floor(random.uniform() * m * m));
+  std::vector<double> sum(D, 0.0);
+  for (std::size_t i = 0; i < x.size(); ++i) sum[i % D] += x[i];
+  x.insert(x.end(), sum.begin(), sum.end());
+  lifts.push_back(std::accumulate(lifts.begin(), lifts.end(), 1.0 * step));
+  x.insert(x.end(), D, 0.0);
+  lifts.push_back(0.0);
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < lifts.size(); ++i) {
+    double square = 0.0;
+    for (std::size_t axis = 0; axis < D; ++axis) square += x[D * i + axis] * x[D * i + axis];
+    weights.push_back(square - lifts[i]);
+  }
+  return {D, x, WeightKind::weight, weights};
+}
+
+template <int D>
+void check_small_determinants() {
+  Random random(7);
+  for (int size = 1; size <= 20; ++size) {
+    for (int round = 0; round < 30; ++round) {
+      const int step = round % 3 - 1;
+      const WeightedPoints points = rows_of_small_determinant<D>(random, size, step);
+      const Sites<D> sites = sites_of<D>(points);
+      Corners<D> corners, neighbour;  // the query stands where nothing but its row, 0, counts
+      for (std::uint32_t i = 0; i < D; ++i) neighbour[i + 1] = corners[i + 1] = i;
+      corners[0] = D + 1;
+      neighbour[0] = D;
+      Corners<D> apexes = corners;
+      apexes[0] = D;
+      const GlancedSides sides = glanced_power_sides_across(sites, corners, apexes, D + 1);
+      std::swap(neighbour[1], neighbour[2]);
+      const Sign truth = oracles::sign_of(
+          oracles::power_determinant(oracles::exact_points(points), neighbour, D + 1));
+      ASSERT_EQ(truth == Sign::zero, step == 0);
+      const unsigned told =
+          (sides.positive & 1U) | (sides.negative & 1U) << 1U | (sides.zero & 1U) << 2U;
+      const unsigned right = truth == Sign::positive ? 1U : truth == Sign::negative ? 2U : 4U;
+      EXPECT_EQ(told & ~right, 0U) << "coordinates of " << size << " bits";
+      if (size <= 5) {
+        EXPECT_EQ(told, right) << "coordinates of " << size << " bits";
+      }
+    }
+  }
+}
+
+TEST(PowerSidesAcross, TellsIntegersUpToWhereTheirProductsAreExact) {
+  if (!can_glance_across()) GTEST_SKIP() << "this processor has no vectors of four doubles";
+  check_small_determinants<2>();
+  check_small_determinants<3>();
 }
 
 TEST(PowerSidesAcross, TellsTiesOfSmallIntegersOnly) {
