@@ -47,7 +47,10 @@ class CellStore {
     return (bits & infinity_) == 0;
   }
 
-  void reserve(std::size_t cells) { cells_.reserve(cells); }
+  void reserve(std::size_t cells) {
+    cells_.reserve(cells);
+    is_dead_.reserve(cells);
+  }
   /// A new cell, or a released one.
   /// @throws LimitError for more than 2^30 cells.
   [[nodiscard]] std::uint32_t acquire() {
