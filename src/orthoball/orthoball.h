@@ -6,6 +6,7 @@
 // no layer
 #include "orthoball/error.h"
 #include "orthoball/ids.h"
+#include "orthoball/parallel.h"
 // points, input
 #include "orthoball/input/read.h"
 #include "orthoball/points/weighted_points.h"
