@@ -11,6 +11,7 @@
 
 #include "orthoball/exact/certified_label.h"
 #include "orthoball/exact/orthocentre_signs.h"
+#include "orthoball/exact/processor.h"
 #include "orthoball/exact/unrolled.h"
 
 namespace orthoball {
@@ -87,21 +88,11 @@ void faces_anywhere(const CornerBlock<D, Corners>& block, SignTolerance toleranc
   faces_of_block(block, tolerance, faces);
 }
 
-#if defined(__x86_64__) && defined(__GNUC__)
 template <int D, std::size_t Corners>
-[[gnu::target("avx2")]] void faces_in_fours(const CornerBlock<D, Corners>& block,
-                                            SignTolerance tolerance, std::int64_t* faces) {
+ORTHOBALL_AVX2 void faces_in_fours(const CornerBlock<D, Corners>& block, SignTolerance tolerance,
+                                   std::int64_t* faces) {
   faces_of_block(block, tolerance, faces);
 }
-bool has_fours() { return __builtin_cpu_supports("avx2") != 0; }
-#else
-template <int D, std::size_t Corners>
-void faces_in_fours(const CornerBlock<D, Corners>& block, SignTolerance tolerance,
-                    std::int64_t* faces) {
-  faces_anywhere(block, tolerance, faces);
-}
-bool has_fours() { return false; }
-#endif
 
 // The same by filter and integers, simplex by simplex.
 template <int D, std::size_t Corners>
@@ -124,6 +115,7 @@ void attached_faces(const Sites<D>& sites, std::span<const CornerSites<Corners>>
                     std::span<std::uint16_t> faces) {
   using Block = CornerBlock<D, Corners>;
   const SignTolerance tolerance = sign_tolerance(sites);
+  const bool in_fours = has_avx2();
   Block block{};
   std::array<std::int64_t, Block::kSize> found;
   for (std::size_t first = 0; first < cells.size(); first += Block::kSize) {
@@ -135,8 +127,8 @@ void attached_faces(const Sites<D>& sites, std::span<const CornerSites<Corners>>
         block.weight[corner][i] = site.weight;
       }
     }
-    has_fours() ? faces_in_fours(block, tolerance, found.data())
-                : faces_anywhere(block, tolerance, found.data());
+    in_fours ? faces_in_fours(block, tolerance, found.data())
+             : faces_anywhere(block, tolerance, found.data());
     for (std::size_t i = 0; i < size; ++i) {
       faces[first + i] = (found[i] & 1) == 0 ? static_cast<std::uint16_t>(found[i])
                                              : faces_of_one<D>(sites, cells[first + i]);

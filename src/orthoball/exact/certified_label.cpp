@@ -16,6 +16,7 @@
 #include "orthoball/exact/double_double.h"
 #include "orthoball/exact/magnitudes.h"
 #include "orthoball/exact/orthocentre_formulas.h"
+#include "orthoball/exact/processor.h"
 #include "orthoball/exact/unrolled.h"
 
 namespace orthoball {
@@ -153,31 +154,19 @@ void label_block_anywhere(const CornerBlock<D, Corners>& block, const LabelUnit&
   label_block<SplitProducts>(block, unit, labels);
 }
 
-#if defined(__x86_64__) && defined(__GNUC__)
 template <int D, std::size_t Corners>
-[[gnu::target("avx2,fma")]] void label_block_fused(const CornerBlock<D, Corners>& block,
-                                                   const LabelUnit& unit, double* labels) {
+ORTHOBALL_AVX2_FMA void label_block_fused(const CornerBlock<D, Corners>& block,
+                                          const LabelUnit& unit, double* labels) {
   label_block<FusedProducts>(block, unit, labels);
 }
-bool has_fused() {
-  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-}
-#else
-template <int D, std::size_t Corners>
-void label_block_fused(const CornerBlock<D, Corners>& block, const LabelUnit& unit,
-                       double* labels) {
-  label_block_anywhere(block, unit, labels);
-}
-bool has_fused() { return false; }
-#endif
 
 }  // namespace
 
 template <int D, std::size_t Corners>
 void certified_labels(const CornerBlock<D, Corners>& block, const LabelUnit& unit,
                       std::span<double, CornerBlock<D, Corners>::kSize> labels) {
-  has_fused() ? label_block_fused(block, unit, labels.data())
-              : label_block_anywhere(block, unit, labels.data());
+  has_avx2_fma() ? label_block_fused(block, unit, labels.data())
+                 : label_block_anywhere(block, unit, labels.data());
 }
 
 template <int D, std::size_t Corners>

@@ -10,9 +10,11 @@
 #include <cstdint>
 #include <cstring>
 
+#include "orthoball/exact/processor.h"
+
 namespace orthoball {
 
-#if defined(__x86_64__)
+#ifdef ORTHOBALL_WIDE_CODE
 
 namespace {
 
@@ -118,12 +120,12 @@ double exact_magnitude(const Sites<D>& sites) {
 
 }  // namespace
 
-bool can_glance_across() { return __builtin_cpu_supports("avx2") != 0; }
+bool can_glance_across() { return has_avx2(); }
 
-__attribute__((target("avx2"))) GlancedSides glanced_power_sides_across(const Sites<3>& sites,
-                                                                        const Corners<3>& corners,
-                                                                        const Corners<3>& apexes,
-                                                                        std::uint32_t query) {
+ORTHOBALL_AVX2 GlancedSides glanced_power_sides_across(const Sites<3>& sites,
+                                                       const Corners<3>& corners,
+                                                       const Corners<3>& apexes,
+                                                       std::uint32_t query) {
   const Four origin = loaded(sites[query]);
   const SpaceRows cell = rows(sites, corners, origin);
   const SpaceRows apex = rows(sites, apexes, origin);
@@ -155,10 +157,10 @@ __attribute__((target("avx2"))) GlancedSides glanced_power_sides_across(const Si
                });
 }
 
-__attribute__((target("avx2"))) GlancedSides glanced_power_sides_across(const Sites<2>& sites,
-                                                                        const Corners<2>& corners,
-                                                                        const Corners<2>& apexes,
-                                                                        std::uint32_t query) {
+ORTHOBALL_AVX2 GlancedSides glanced_power_sides_across(const Sites<2>& sites,
+                                                       const Corners<2>& corners,
+                                                       const Corners<2>& apexes,
+                                                       std::uint32_t query) {
   const PlaneRows cell = rows(sites, corners, sites[query]);
   const PlaneRows apex = rows(sites, apexes, sites[query]);
 

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <utility>
 
+#include "orthoball/exact/processor.h"
 #include "orthoball/filtration/face_vertices.h"
 #include "orthoball/measures/angle.h"
 #include "orthoball/measures/thin_cell.h"
@@ -154,24 +155,14 @@ struct FacetRows {
 }
 
 // The same bits with wider vectors, where the machine has them: no operation is fused with another.
-#if defined(__x86_64__) && defined(__GNUC__)
 template <int D, std::size_t N, class Rows>
-[[gnu::target("avx2")]] void measure_wide(const Batch<D, N>& __restrict batch,
-                                          Rows& __restrict out) {
+ORTHOBALL_AVX2 void measure_wide(const Batch<D, N>& __restrict batch, Rows& __restrict out) {
   measure_lanes(batch, out);
 }
-bool has_wide_vectors() { return __builtin_cpu_supports("avx2") != 0; }
-#else
-template <int D, std::size_t N, class Rows>
-void measure_wide(const Batch<D, N>& __restrict batch, Rows& __restrict out) {
-  measure_lanes(batch, out);
-}
-bool has_wide_vectors() { return false; }
-#endif
 
 template <int D, std::size_t N, class Rows>
 void measure(const Batch<D, N>& batch, Rows& out) {
-  has_wide_vectors() ? measure_wide(batch, out) : measure_lanes(batch, out);
+  has_avx2() ? measure_wide(batch, out) : measure_lanes(batch, out);
 }
 
 template <std::size_t N>

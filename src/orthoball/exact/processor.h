@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// ORTHOBALL_WIDE_CODE: whether functions are compiled for wider vectors than every processor of the
+// architecture has; ORTHOBALL_AVX2, ORTHOBALL_AVX2_FMA: in front of such a function. Such code is
+// called only if the function of the same name below says so, and gives the same results as the
+// plain code that is called otherwise. The CMake option ORTHOBALL_VECTORS=OFF leaves it out.
+#if defined(ORTHOBALL_VECTORS) && defined(__x86_64__) && defined(__GNUC__)
+#define ORTHOBALL_WIDE_CODE
+#define ORTHOBALL_AVX2 __attribute__((target("avx2")))
+#define ORTHOBALL_AVX2_FMA __attribute__((target("avx2,fma")))
+#else
+#define ORTHOBALL_AVX2
+#define ORTHOBALL_AVX2_FMA
+#endif
+
+namespace orthoball {
+
+/// Whether code for vectors of four doubles was compiled and this processor can run it.
+[[nodiscard]] bool has_avx2();
+/// The same with fused products and sums; code that uses them must ask for them one by one, as no
+/// product is fused that is not meant to be.
+[[nodiscard]] bool has_avx2_fma();
+
+}  // namespace orthoball
