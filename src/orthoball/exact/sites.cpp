@@ -99,7 +99,8 @@ Sites<D>::Sites(const WeightedPoints& points, std::vector<SiteId> rows) : rows_(
 
   bool all_exact = true;
   Weight first{};
-  sites_.resize(rows_.size());
+  sites_.resize(rows_.size() + 1);
+  end_far_away();
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const std::size_t row = rows_[i].row();
     Site<D>& site = sites_[i];
@@ -140,6 +141,17 @@ Sites<D>::Sites(const WeightedPoints& points, std::vector<SiteId> rows) : rows_(
   }
 }
 
+// So large that the bounds of all glances at power sides are infinite, so small that no determinant
+// is: five lengths of at most 2^151 or four with this.
+template <int D>
+constexpr double kFarWeight = D == 3 ? -0x1p+320 : -0x1p+600;
+
+template <int D>
+void Sites<D>::end_far_away() {
+  sites_.back() = {};
+  sites_.back().weight = kFarWeight<D>;
+}
+
 template <int D>
 ExactSite<D> Sites<D>::exact(std::size_t site) const {
   if (!exact_.empty()) return exact_[site];
@@ -160,17 +172,19 @@ void Sites<D>::drop(const std::vector<bool>& is_dropped) {
     }
     numbers.erase(numbers.begin() + static_cast<std::ptrdiff_t>(kept), numbers.end());
   };
+  if (!sites_.empty()) sites_.resize(size());
   drop_from(sites_);
   drop_from(exact_);
   drop_from(rows_);
+  sites_.resize(size() + 1);
+  end_far_away();
 }
 
 template <int D>
 Sites<D> Sites<D>::with_axes(const std::array<int, std::size_t{D}>& axes) const {
   Sites result = *this;
   for (std::size_t axis = 0; axis < D; ++axis) {
-    for (std::size_t i = 0; i < sites_.size(); ++i)
-      result.sites_[i].x[axis] = sites_[i].x[axes[axis]];
+    for (std::size_t i = 0; i < size(); ++i) result.sites_[i].x[axis] = sites_[i].x[axes[axis]];
     for (std::size_t i = 0; i < exact_.size(); ++i)
       result.exact_[i].x[axis] = exact_[i].x[axes[axis]];
   }

@@ -45,10 +45,12 @@ class Sites {
   /// @param rows  the sites taken, in their inside order.
   Sites(const WeightedPoints& points, std::vector<SiteId> rows);
 
-  [[nodiscard]] std::size_t size() const { return sites_.size(); }
-  /// Approximate where is_exact() is false, as said above.
+  [[nodiscard]] std::size_t size() const { return rows_.size(); }
+  /// Approximate where is_exact() is false, as said above. One record follows the last site, for
+  /// the vertex at infinity of a triangulation at work: so far away that no filter decides about
+  /// it.
   [[nodiscard]] const Site<D>& operator[](std::size_t site) const { return sites_[site]; }
-  [[nodiscard]] std::span<const Site<D>> span() const { return sites_; }
+  [[nodiscard]] std::span<const Site<D>> span() const { return {sites_.data(), size()}; }
   [[nodiscard]] ExactSite<D> exact(std::size_t site) const;
 
   /// The input row of a site.
@@ -77,7 +79,9 @@ class Sites {
   [[nodiscard]] Sites with_axes(const std::array<int, std::size_t{D}>& axes) const;
 
  private:
-  std::vector<Site<D>> sites_;
+  void end_far_away();
+
+  std::vector<Site<D>> sites_;       // and one more, see operator[]; empty without sites
   std::vector<ExactSite<D>> exact_;  // empty where sites_ are exact
   std::vector<SiteId> rows_;
   double weight_error_ = 0.0;

@@ -36,11 +36,11 @@ std::uint32_t start_cells(CellStore<A>& cells, const Sites<D>& sites,
   std::copy(basis.begin(), basis.end(), corners.begin());
   if (orient<A, D>(sites, corners) == Sign::negative) std::swap(corners[0], corners[1]);
 
-  const std::uint32_t first = cells.acquire();
+  const std::uint32_t first = cells.add(A + 2);
   cells[first].corners = corners;
   std::array<std::uint32_t, std::size_t{A + 1}> behind;  // [i] cell at infinity opposite corner i
-  for (std::size_t i = 0; i <= A; ++i) {
-    behind[i] = cells.acquire();
+  for (std::uint32_t i = 0; i <= A; ++i) {
+    behind[i] = first + 1 + i;
     auto& record = cells[behind[i]];
     record.corners = corners;
     record.corners[i] = cells.infinity();
@@ -65,25 +65,24 @@ std::uint32_t start_cells(CellStore<A>& cells, const Sites<D>& sites,
 template <int A, int D>
 CellStore<A> inserted_cells(const Sites<D>& sites, std::span<const std::uint32_t> order,
                             std::span<const std::uint32_t> basis, std::vector<bool>& is_hidden) {
-  CellStore<A> cells(sites.size());
   constexpr std::size_t kCellsPerSite = A == 3 ? 7 : 2;  // what uniform points need
-  cells.reserve(kCellsPerSite * sites.size() + sites.size() / 4 + 64);
+  CellStore<A> cells(sites.size(), kCellsPerSite * sites.size() + sites.size() / 4 + 4096);
   std::uint32_t cell = start_cells<A, D>(cells, sites, basis);
 
+  const Territory whole{0, cells.infinity(), cells.infinity()};
+  const PointLocation<A, D> location(cells, sites);
   ConflictRegion<A, D> region(cells, sites);
-  std::vector<std::uint32_t> swallowed;
+  using Outcome = typename ConflictRegion<A, D>::Outcome;
+  std::vector<std::uint32_t> hidden;
   for (const std::uint32_t site : order) {
     if (std::find(basis.begin(), basis.end(), site) != basis.end()) continue;
-    const std::uint32_t found = locate<A, D>(cells, sites, site, cell);
-    if (!region.in_conflict(found, site)) {
-      is_hidden[site] = true;
-      cell = found;
-      continue;
+    cell = location.locate(site, cell, whole).cell;
+    if (region.insert(site, cell, whole, true, hidden) == Outcome::inserted) {
+      cell = region.new_cell();
     }
-    cell = region.insert(site, found, swallowed);
-    for (const std::uint32_t vertex : swallowed) is_hidden[vertex] = true;
-    swallowed.clear();
   }
+  for (const std::uint32_t vertex : hidden) is_hidden[vertex] = true;
+  region.supply().close();
   return cells;
 }
 

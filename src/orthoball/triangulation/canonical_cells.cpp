@@ -63,9 +63,9 @@ struct ByFirstCorner {
 // Leaves kOutside in the first corner of cells at infinity.
 template <int A>
 ByFirstCorner by_first_corner(CellStore<A>& cells, std::size_t sites) {
-  const auto old_cells = static_cast<std::uint32_t>(cells.size());
+  const std::uint32_t old_cells = cells.size();
   const auto is_kept = [&](std::uint32_t cell) {
-    return !cells.is_dead(cell) && cells.is_finite(cells[cell]);
+    return !cells.is_dead(cells[cell]) && cells.is_finite(cells[cell]);
   };
   const auto first_corner = [&](std::uint32_t cell) {
     const auto& corners = cells[cell].corners;

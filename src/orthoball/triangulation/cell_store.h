@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,55 +19,55 @@ namespace orthoball {
 ///
 /// Every facet has two sides: the hull's facets are closed by cells that have the vertex at
 /// infinity, numbered `infinity()`, as one corner. Cells are positively oriented; a cell at
-/// infinity is so if a point beyond its finite facet takes the place of infinity. Dead cells stay
-/// until reused.
+/// infinity is so if a point beyond its finite facet takes the place of infinity. A dead cell keeps
+/// its record, with a mark, until it is used again.
 template <int A>
 class CellStore {
  public:
   using Cell = CellRecord<A>;  // neighbours are 4 * cell + corner, never kOutside
 
   /// @param vertices  numbers of finite vertices are below.
-  /// @throws LimitError for more than 2^30.
-  explicit CellStore(std::size_t vertices) : infinity_(infinity_above(vertices)) {}
+  /// @param cells     room for so many at first; what is not used costs no memory.
+  /// @throws LimitError for more than 2^29 vertices.
+  CellStore(std::size_t vertices, std::size_t cells)
+      : vertices_(checked(vertices)),
+        room_(static_cast<std::uint32_t>(std::min(cells, kMostCells))),
+        cells_(std::make_unique_for_overwrite<Cell[]>(room_)) {}
 
-  /// A power of two, not below the number of vertices: a bit that no vertex has.
-  [[nodiscard]] std::uint32_t infinity() const { return infinity_; }
-  [[nodiscard]] std::size_t size() const { return cells_.size(); }  // dead ones included
+  /// The number of the vertex at infinity: that of the record behind the last of Sites.
+  [[nodiscard]] std::uint32_t infinity() const { return vertices_; }
+
+  [[nodiscard]] std::uint32_t size() const { return size_; }  // dead ones included
+  [[nodiscard]] std::uint32_t room() const { return room_; }  // size() at which cells move
   [[nodiscard]] const Cell& operator[](std::uint32_t cell) const { return cells_[cell]; }
   [[nodiscard]] Cell& operator[](std::uint32_t cell) { return cells_[cell]; }
 
   /// Corner at infinity, A + 1 for a finite cell.
   [[nodiscard]] std::size_t corner_at_infinity(const Cell& cell) const {
     std::size_t corner = 0;
-    while (corner <= A && cell.corners[corner] != infinity_) ++corner;
+    while (corner <= A && cell.corners[corner] != vertices_) ++corner;
     return corner;
   }
   [[nodiscard]] bool is_finite(const Cell& cell) const {
-    std::uint32_t bits = 0;
-    for (const std::uint32_t vertex : cell.corners) bits |= vertex;
-    return (bits & infinity_) == 0;
+    std::uint32_t largest = 0;
+    for (const std::uint32_t vertex : cell.corners) largest = std::max(largest, vertex);
+    return largest < vertices_;
   }
 
-  void reserve(std::size_t cells) {
-    cells_.reserve(cells);
-    is_dead_.reserve(cells);
-  }
-  /// A new cell, or a released one.
-  /// @throws LimitError for more than 2^30 cells.
-  [[nodiscard]] std::uint32_t acquire() {
-    if (released_.empty()) return added();
-    const std::uint32_t cell = released_.back();
-    released_.pop_back();
-    return cell;
-  }
-  /// These dead cells may be given again.
-  void release(std::span<const std::uint32_t> dead) {
-    released_.insert(released_.end(), dead.begin(), dead.end());
-  }
+  /// The mark of dead cells, in the first of their neighbours.
+  static constexpr std::uint32_t kDead = std::uint32_t{1} << 31U;
+  [[nodiscard]] static bool is_dead(const Cell& cell) { return (cell.neighbours[0] & kDead) != 0; }
+  void kill(std::uint32_t cell) { cells_[cell].neighbours[0] |= kDead; }
+  void revive(std::uint32_t cell) { cells_[cell].neighbours[0] &= ~kDead; }
 
-  /// A dead cell keeps its corners and neighbours, until it is made alive with others.
-  [[nodiscard]] bool is_dead(std::uint32_t cell) const { return is_dead_[cell] != 0; }
-  void set_dead(std::uint32_t cell, bool is_dead) { is_dead_[cell] = is_dead ? 1 : 0; }
+  /// The first of `count` new cells, which are not written yet. May move all cells.
+  /// @throws LimitError for more than 2^29 cells.
+  [[nodiscard]] std::uint32_t add(std::uint32_t count) {
+    if (count > room_ - size_) grow(count);
+    const std::uint32_t first = size_;
+    size_ += count;
+    return first;
+  }
 
   /// Makes two facets each other's other side.
   void join(std::uint32_t cell_and_corner, std::uint32_t other) {
@@ -75,28 +76,70 @@ class CellStore {
   }
 
  private:
-  // Neighbours keep 2 bits for a corner; vertices have more cells than they are.
-  static constexpr std::size_t kMostCells = std::size_t{1} << 30U;
+  // Neighbours have 2 bits for a corner and one for the mark; vertices have more cells than they
+  // are.
+  static constexpr std::size_t kMostCells = std::size_t{1} << 29U;
 
-  static std::uint32_t infinity_above(std::size_t vertices) {
+  static std::uint32_t checked(std::size_t vertices) {
     if (vertices > kMostCells) {
-      throw LimitError(std::to_string(vertices) + " sites; at most 2^30 can be triangulated");
+      throw LimitError(std::to_string(vertices) + " sites; at most 2^29 can be triangulated");
     }
-    return std::bit_ceil(static_cast<std::uint32_t>(vertices));
+    return static_cast<std::uint32_t>(vertices);
   }
-  std::uint32_t added() {
-    if (cells_.size() == kMostCells) {
-      throw LimitError("more than 2^30 cells in the triangulation; at most 150 million sites fit");
+  void grow(std::uint32_t count) {
+    if (count > kMostCells - size_) {
+      throw LimitError("more than 2^29 cells in the triangulation; at most 75 million sites fit");
     }
-    cells_.emplace_back();
-    is_dead_.push_back(0);
-    return static_cast<std::uint32_t>(cells_.size() - 1);
+    const std::size_t wanted = std::max<std::size_t>(size_ + count, size_ + size_ / 2);
+    const auto room = static_cast<std::uint32_t>(std::min(wanted, kMostCells));
+    auto cells = std::make_unique_for_overwrite<Cell[]>(room);
+    std::copy_n(cells_.get(), size_, cells.get());
+    cells_ = std::move(cells);
+    room_ = room;
   }
 
-  std::uint32_t infinity_;
-  std::vector<Cell> cells_;
-  std::vector<std::uint8_t> is_dead_;  // bytes, for speed
-  std::vector<std::uint32_t> released_;
+  std::uint32_t vertices_;
+  std::uint32_t size_ = 0;
+  std::uint32_t room_;
+  std::unique_ptr<Cell[]> cells_;
+};
+
+/// Unused and dead cells of a store, for one thread to take.
+template <int A>
+class CellSupply {
+ public:
+  /// Keeps a reference to the store.
+  explicit CellSupply(CellStore<A>& cells) : cells_(&cells) {}
+
+  [[nodiscard]] std::size_t size() const { return dead_.size() + (end_ - next_); }
+  /// At least `count` more new cells. May move all cells.
+  void add(std::uint32_t count) {
+    for (; next_ < end_; ++next_) release(next_);
+    next_ = cells_->add(count);
+    end_ = next_ + count;
+  }
+  /// A cell of no certain content. Undefined if there is none.
+  [[nodiscard]] std::uint32_t acquire() {
+    if (dead_.empty()) return next_++;
+    const std::uint32_t cell = dead_.back();
+    dead_.pop_back();
+    return cell;
+  }
+  /// Kills a cell, which may be given again.
+  void release(std::uint32_t cell) {
+    cells_->kill(cell);
+    dead_.push_back(cell);
+  }
+  /// Kills what is left.
+  void close() {
+    for (; next_ < end_; ++next_) cells_->kill(next_);
+  }
+
+ private:
+  CellStore<A>* cells_;
+  std::uint32_t next_ = 0;
+  std::uint32_t end_ = 0;
+  std::vector<std::uint32_t> dead_;
 };
 
 }  // namespace orthoball

@@ -1,46 +1,113 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 #include "orthoball/exact/orient.h"
+#include "orthoball/exact/orients_around.h"
+#include "orthoball/exact/processor.h"
 #include "orthoball/triangulation/cell_store.h"
+#include "orthoball/triangulation/territory.h"
 
 namespace orthoball {
 
-/// The cell that contains a site, by a walk: cross any facet that has the site strictly beyond it.
+/// Finds the cell that contains a site, by a walk: cross any facet that has the site strictly
+/// beyond it.
 ///
 /// In a regular triangulation such a walk cannot return to a cell, so it ends: in a finite cell
 /// that contains the site (boundary included), or at infinity behind a hull facet that has the site
 /// strictly beyond it.  @cite devillers_pion_teillaud_2002
-/// @param start  a finite cell or a cell at infinity.
 template <int A, int D>
-[[nodiscard]] inline std::uint32_t locate(const CellStore<A>& cells, const Sites<D>& sites,
-                                          std::uint32_t site, std::uint32_t start) {
-  std::uint32_t cell = start;
-  std::size_t entered = cells.corner_at_infinity(cells[cell]);  // facet not to be tested
-  if (entered <= A) {
-    const std::uint32_t inside = cells[cell].neighbours[entered];
-    cell = inside / 4;
-    entered = A + 1;
+class PointLocation {
+ public:
+  /// Keeps references.
+  PointLocation(const CellStore<A>& cells, const Sites<D>& sites) : cells_(cells), sites_(sites) {}
+
+  /// The cell that contains `site`; the cell before the first outside the territory, with
+  /// `is_found` false, if the walk leaves it.
+  struct Place {
+    std::uint32_t cell;
+    bool is_found;
+  };
+  /// @param start  a finite cell or a cell at infinity in the territory.
+  [[nodiscard]] Place locate(std::uint32_t site, std::uint32_t start,
+                             const Territory& territory) const {
+    return is_wide_ ? walk_wide(site, start, territory) : walk_plain(site, start, territory);
   }
-  for (;;) {
-    const auto& record = cells[cell];
-    std::uint32_t next = kOutside;
-    for (std::size_t i = 0; i <= A; ++i) {
-      if (i == entered) continue;
-      Corners<A> corners = record.corners;
-      corners[i] = site;
-      if (orient<A, D>(sites, corners) == Sign::negative) {
-        next = record.neighbours[i];
-        break;
-      }
+
+ private:
+  // A facet of a finite cell that has the site strictly beyond it, A + 1 if there is none.
+  [[gnu::noinline]] unsigned facet_before(const Corners<A>& corners, std::uint32_t site) const {
+    for (unsigned i = 0; i <= A; ++i) {
+      Corners<A> facet_and_site = corners;
+      facet_and_site[i] = site;
+      if (orient<A, D>(sites_, facet_and_site) == Sign::negative) return i;
     }
-    if (next == kOutside) return cell;
-    cell = next / 4;
-    if (!cells.is_finite(cells[cell])) return cell;
-    entered = next % 4;
+    return A + 1;
   }
-}
+
+  template <class FacetBefore>
+  [[gnu::always_inline]] Place walk(std::uint32_t site, std::uint32_t start,
+                                    const Territory& territory,
+                                    const FacetBefore& facet_before_site) const {
+    const bool is_whole = territory.begin == 0 && territory.end == cells_.infinity();
+    std::uint32_t cell = start;
+    if (const std::size_t infinite = cells_.corner_at_infinity(cells_[cell]); infinite <= A) {
+      const std::uint32_t inside = cells_[cell].neighbours[infinite] / 4;
+      if (!is_whole && !owns(territory, inside)) return {cell, false};
+      cell = inside;
+    }
+    for (;;) {
+      const CellRecord<A>& record = cells_[cell];
+      const unsigned facet = facet_before_site(record.corners, site);
+      if (facet > A) return {cell, true};
+      const std::uint32_t beyond = record.neighbours[facet] / 4;
+      if (!is_whole && !owns(territory, beyond)) return {cell, false};
+      cell = beyond;
+      if (!cells_.is_finite(cells_[cell])) return {cell, true};
+    }
+  }
+
+  [[nodiscard]] bool owns(const Territory& territory, std::uint32_t cell) const {
+    bool all = true;
+    for (const std::uint32_t vertex : cells_[cell].corners) all &= territory.has(vertex);
+    return all;
+  }
+
+  [[nodiscard]] Place walk_plain(std::uint32_t site, std::uint32_t start,
+                                 const Territory& territory) const {
+    return walk(site, start, territory, [&](const Corners<A>& corners, std::uint32_t of) {
+      return facet_before(corners, of);
+    });
+  }
+
+#ifdef ORTHOBALL_WIDE_CODE
+  ORTHOBALL_AVX2 [[nodiscard]] Place walk_wide(std::uint32_t site, std::uint32_t start,
+                                               const Territory& territory) const {
+    if constexpr (A == 3) {
+      return walk(site, start, territory,
+                  [&](const Corners<A>& corners, std::uint32_t of) ORTHOBALL_AVX2 {
+                    const GlancedOrients orients = glanced_orients_around(sites_, corners, of);
+                    if (orients.negative != 0) {
+                      return static_cast<unsigned>(std::countr_zero(orients.negative));
+                    }
+                    return orients.open == 0 ? unsigned{A + 1} : facet_before(corners, of);
+                  });
+    } else {
+      return walk_plain(site, start, territory);
+    }
+  }
+#else
+  [[nodiscard]] Place walk_wide(std::uint32_t site, std::uint32_t start,
+                                const Territory& territory) const {
+    return walk_plain(site, start, territory);
+  }
+#endif
+
+  const CellStore<A>& cells_;
+  const Sites<D>& sites_;
+  const bool is_wide_ = has_avx2();
+};
 
 }  // namespace orthoball

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "orthoball/triangulation/affine_basis.h"
-#include "orthoball/triangulation/conflict_region.h"
+#include "orthoball/triangulation/conflict_test.h"
 #include "orthoball/triangulation/point_location.h"
 
 namespace orthoball {
@@ -128,10 +128,10 @@ void check_records(std::span<const CellRecord<A>> cells, std::size_t vertices, F
 template <int A, int D>
 CellStore<A> closed_cells(std::span<const CellRecord<A>> records, const Sites<D>& sites,
                           Faults& faults) {
-  CellStore<A> cells(static_cast<std::uint32_t>(sites.size()));
+  CellStore<A> cells(sites.size(), 2 * records.size());
   std::vector<bool> is_swapped(records.size(), false);
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const std::uint32_t cell = cells.acquire();
+    const std::uint32_t cell = cells.add(1);
     cells[cell] = records[i];
     const Sign side = orient<A, D>(sites, records[i].corners);
     if (side == Sign::zero || (A == D && side == Sign::negative)) {
@@ -155,7 +155,7 @@ CellStore<A> closed_cells(std::span<const CellRecord<A>> records, const Sites<D>
         cells[cell].neighbours[i] = swapped_corner(other);
         continue;
       }
-      const std::uint32_t behind = cells.acquire();
+      const std::uint32_t behind = cells.add(1);
       auto corners = cells[cell].corners;
       corners[i] = cells.infinity();
       const std::uint32_t at = i < 2 ? 1 - i : i;
@@ -220,20 +220,21 @@ void check_geometry(const RegularTriangulation<D>& triangulation, const Weighted
   CellStore<A> cells = closed_cells<A, D>(triangulation.template cells<A>(), sites, faults);
   if (!faults.empty()) return;
   if (!is_connected(cells)) faults.add("the cells are not connected");
-  const ConflictRegion<A, D> region(cells, sites);
   for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
     for (std::size_t i = 0; i <= A; ++i) {
       const std::uint32_t other = cells[cell].neighbours[i];
       const std::uint32_t across = cells[other / 4].corners[other % 4];
-      if (across != cells.infinity() && region.in_conflict(cell, across)) {
+      if (across != cells.infinity() && in_conflict<A, D>(cells, sites, cell, across)) {
         faults.add((cells.is_finite(cells[cell]) ? cell_name(cell) : "the hull") +
                    " is in conflict with vertex " + std::to_string(across));
       }
     }
   }
   if (!faults.empty()) return;
+  const PointLocation<A, D> location(cells, sites);
+  const Territory whole{0, cells.infinity(), cells.infinity()};
   for (auto site = static_cast<std::uint32_t>(vertices); site < sites.size(); ++site) {
-    if (region.in_conflict(locate<A, D>(cells, sites, site, 0), site)) {
+    if (in_conflict<A, D>(cells, sites, location.locate(site, 0, whole).cell, site)) {
       faults.add("row " + std::to_string(sites.row(site).row()) + " is not hidden");
     }
   }

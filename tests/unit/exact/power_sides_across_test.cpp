@@ -13,6 +13,7 @@
 
 #include "oracles/exact_predicates.h"
 #include "orthoball/exact/orient.h"
+#include "orthoball/exact/processor.h"
 #include "tuples.h"
 
 namespace orthoball {
@@ -21,6 +22,14 @@ namespace {
 using generators::PointFamily;
 using generators::Random;
 using tuples::sites_of;
+
+#ifdef ORTHOBALL_WIDE_CODE
+
+template <int D>
+ORTHOBALL_AVX2 GlancedSides sides_across(const Sites<D>& sites, const Corners<D>& corners,
+                                         const Corners<D>& apexes, std::uint32_t query) {
+  return PowerSidesAcross<D>(sites, query)(corners, apexes);
+}
 
 struct Tally {
   int asked = 0;
@@ -40,10 +49,9 @@ Tally check_sides(const WeightedPoints& points, std::uint64_t seed, int count) {
     Corners<D> corners, apexes;
     std::copy_n(rows.begin(), D + 1, corners.begin());
     std::copy_n(rows.begin() + D + 1, D + 1, apexes.begin());
-    const GlancedSides sides = glanced_power_sides_across(sites, corners, apexes, query);
-    EXPECT_EQ(sides.positive & sides.negative, 0U);
-    EXPECT_EQ((sides.positive | sides.negative) & sides.zero, 0U);
-    EXPECT_LT(sides.positive | sides.negative | sides.zero, 1U << (D + 1));
+    const GlancedSides sides = sides_across<D>(sites, corners, apexes, query);
+    EXPECT_EQ(sides.positive + sides.negative + sides.zero + sides.open, (2U << D) - 1);
+    EXPECT_EQ(sides.positive | sides.negative | sides.zero | sides.open, (2U << D) - 1);
     for (std::size_t facet = 0; facet <= D; ++facet) {
       const auto has = [&](std::uint32_t mask) { return (mask >> facet & 1U) != 0; };
       ++tally.asked;
@@ -63,7 +71,7 @@ Tally check_sides(const WeightedPoints& points, std::uint64_t seed, int count) {
 }
 
 TEST(PowerSidesAcross, IsTheSignOfTheDeterminantWhereItIsKnown) {
-  if (!can_glance_across()) GTEST_SKIP() << "this processor has no vectors of four doubles";
+  if (!has_avx2()) GTEST_SKIP() << "this processor has no vectors of four doubles";
   for (const PointFamily family : generators::point_families()) {
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
       SCOPED_TRACE(::testing::Message() << name(family) << ' ' << seed);
@@ -74,7 +82,7 @@ TEST(PowerSidesAcross, IsTheSignOfTheDeterminantWhereItIsKnown) {
 }
 
 TEST(PowerSidesAcross, LeavesLittleOpenOnSitesInGeneralPosition) {
-  if (!can_glance_across()) GTEST_SKIP() << "this processor has no vectors of four doubles";
+  if (!has_avx2()) GTEST_SKIP() << "this processor has no vectors of four doubles";
   for (const PointFamily family : {PointFamily::uniform, PointFamily::uniform_balls}) {
     const Tally plane = check_sides<2>(points_of(family, 2, 200, 1), 1, 2000);
     EXPECT_GT(plane.known, 0.999 * plane.asked);
@@ -84,7 +92,7 @@ TEST(PowerSidesAcross, LeavesLittleOpenOnSitesInGeneralPosition) {
 }
 
 TEST(PowerSidesAcross, ClaimsNothingFalseOfNumbersOfAnySize) {
-  if (!can_glance_across()) GTEST_SKIP() << "this processor has no vectors of four doubles";
+  if (!has_avx2()) GTEST_SKIP() << "this processor has no vectors of four doubles";
   const double most = std::numeric_limits<double>::max();
   const double least = std::numeric_limits<double>::denorm_min();
   const WeightedPoints points(
@@ -145,7 +153,7 @@ void check_small_determinants() {
       neighbour[0] = D;
       Corners<D> apexes = corners;
       apexes[0] = D;
-      const GlancedSides sides = glanced_power_sides_across(sites, corners, apexes, D + 1);
+      const GlancedSides sides = sides_across<D>(sites, corners, apexes, D + 1);
       std::swap(neighbour[1], neighbour[2]);
       const Sign truth = oracles::sign_of(
           oracles::power_determinant(oracles::exact_points(points), neighbour, D + 1));
@@ -162,13 +170,13 @@ void check_small_determinants() {
 }
 
 TEST(PowerSidesAcross, TellsIntegersUpToWhereTheirProductsAreExact) {
-  if (!can_glance_across()) GTEST_SKIP() << "this processor has no vectors of four doubles";
+  if (!has_avx2()) GTEST_SKIP() << "this processor has no vectors of four doubles";
   check_small_determinants<2>();
   check_small_determinants<3>();
 }
 
 TEST(PowerSidesAcross, TellsTiesOfSmallIntegersOnly) {
-  if (!can_glance_across()) GTEST_SKIP() << "this processor has no vectors of four doubles";
+  if (!has_avx2()) GTEST_SKIP() << "this processor has no vectors of four doubles";
   for (const double unit : {1.0, 0x1p+20, 0.1}) {
     const auto scaled = [&](std::vector<double> numbers) {
       for (double& number : numbers) number *= unit;
@@ -178,12 +186,30 @@ TEST(PowerSidesAcross, TellsTiesOfSmallIntegersOnly) {
     const Sites<3> cube = tuples::sites_at<3>(
         scaled({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0, 1, 0, 1, 0, 1, 1, 1, 1, 1, 7, 7, 5}));
     const bool is_told = unit != 0.1;
-    EXPECT_EQ(glanced_power_sides_across(square, {0, 1, 2}, {3, 4, 5}, 3).zero,
-              is_told ? 0b001U : 0U);
-    EXPECT_EQ(glanced_power_sides_across(cube, {0, 1, 2, 3}, {4, 5, 6, 5}, 7).zero,
-              is_told ? 0b1111U : 0U);
+    EXPECT_EQ(sides_across<2>(square, {0, 1, 2}, {3, 4, 5}, 3).zero, is_told ? 0b001U : 0U);
+    EXPECT_EQ(sides_across<3>(cube, {0, 1, 2, 3}, {4, 5, 6, 5}, 7).zero, is_told ? 0b1111U : 0U);
   }
 }
+
+TEST(PowerSidesAcross, LeavesOpenWhatConcernsTheVertexAtInfinity) {
+  if (!has_avx2()) GTEST_SKIP() << "this processor has no vectors of four doubles";
+  for (const double unit : {1.0, 0x1p-60, 0x1p+149}) {
+    const auto points = [&](int dimension) {
+      const WeightedPoints all = points_of(PointFamily::uniform_balls, dimension, 20, 1);
+      std::vector<double> x(all.coordinates().begin(), all.coordinates().end());
+      for (double& number : x) number *= unit;
+      return WeightedPoints(dimension, x, WeightKind::none, {});
+    };
+    const Sites<2> plane = sites_of<2>(points(2));
+    const Sites<3> space = sites_of<3>(points(3));
+    EXPECT_EQ(sides_across<2>(plane, {0, 1, 20}, {3, 4, 5}, 6).open, 0b111U);
+    EXPECT_EQ(sides_across<2>(plane, {0, 1, 2}, {3, 20, 5}, 6).open & 0b010U, 0b010U);
+    EXPECT_EQ(sides_across<3>(space, {0, 20, 1, 2}, {3, 4, 5, 7}, 6).open, 0b1111U);
+    EXPECT_EQ(sides_across<3>(space, {0, 1, 2, 8}, {3, 4, 20, 7}, 6).open & 0b100U, 0b100U);
+  }
+}
+
+#endif
 
 }  // namespace
 }  // namespace orthoball

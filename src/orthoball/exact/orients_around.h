@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "orthoball/exact/four_lanes.h"
+#include "orthoball/exact/orient.h"
+
+namespace orthoball {
+
+/// On which sides of its facets a point lies, as far as a glance tells: a bit for each facet.
+struct GlancedOrients {
+  std::uint32_t negative = 0;  ///< strictly beyond the facet
+  std::uint32_t open = 0;      ///< not known
+};
+
+#ifdef ORTHOBALL_WIDE_CODE
+
+/// The orientations of a simplex with the query in the place of one corner after the other. What is
+/// told is exact; little is left open on sites in general position. Costs as much as two calls of
+/// orient. Only for processors with vectors of four doubles.
+///
+/// A vector lane for each facet, the query at the origin; docs/derivations/filters.md derives the
+/// bound.
+[[nodiscard]] ORTHOBALL_AVX2 inline GlancedOrients glanced_orients_around(const Sites<3>& sites,
+                                                                          const Corners<3>& corners,
+                                                                          std::uint32_t query) {
+  using namespace four_lanes;
+  const Columns cell = columns(sites, corners, loaded(sites[query]));
+  // The facet of lane i has the corners i ^ 1, i ^ 2 and i ^ 3: an even permutation for every i.
+  const Four x1 = turned1(cell.x), x2 = turned2(cell.x), x3 = turned1(x2);
+  const Four y1 = turned1(cell.y), y2 = turned2(cell.y), y3 = turned1(y2);
+  const Four z2 = turned2(cell.z);
+  const Four value = turned1(cell.z) * (x2 * y3 - y2 * x3) - z2 * (x1 * y3 - y1 * x3) +
+                     turned1(z2) * (x1 * y2 - y1 * x2);
+  const Four squares = cell.x * cell.x + cell.y * cell.y + cell.z * cell.z;
+  const Four pairs = squares + turned1(squares);
+  const Four size = pairs + turned2(pairs);
+  const Four magnitude = size * size * size;  // squared
+  const Four bound = all(kOrientBound<3> * kOrientBound<3>) * magnitude;
+  const std::uint32_t negative = signs(value < all(0.0));
+  const std::uint32_t known = signs(value * value > bound + all(kUnderflow * kUnderflow));
+  GlancedOrients result{negative & known, ~known & 0b1111U};
+  if (result.open == 0 || !sites.is_integral()) return result;
+  const double most = kExactIntegers / (2 * kOrientTerms<3>);
+  const std::uint32_t exact = signs(magnitude <= all(most * most)) & result.open;
+  result.negative |= exact & negative;
+  result.open &= ~exact;
+  return result;
+}
+
+#endif
+
+}  // namespace orthoball
