@@ -45,23 +45,41 @@ struct Extent {
   int lowest = std::numeric_limits<int>::max();  // every length is a multiple of 2^lowest
 };
 
+// Binary digits of a double, so of a number that can be an integer among them.
+constexpr int kDigits = 53;
+
+// Every length is below 2^top.
+int top_of(const Extent& extent) { return std::ilogb(extent.largest) + 1; }
+
 Extent extent_of(const WeightedPoints& points, std::span<const SiteId> rows) {
   Extent extent;
   const auto axes = static_cast<std::size_t>(points.dimension());
+  // Once lengths differ by more than a double has digits, the lowest bit does not matter.
+  bool is_wide = false;
+  const auto add = [&](double length, int low) {
+    extent.largest = std::max(extent.largest, length);
+    extent.lowest = std::min(extent.lowest, low);
+    is_wide = top_of(extent) - extent.lowest > kDigits;
+  };
   for (const SiteId row : rows) {
     for (std::size_t axis = 0; axis < axes; ++axis) {
-      const double x = points.coordinates()[axes * row.row() + axis];
-      if (x == 0.0) continue;
-      extent.largest = std::max(extent.largest, std::abs(x));
-      extent.lowest = std::min(extent.lowest, lowest_bit(x));
+      const double x = std::abs(points.coordinates()[axes * row.row() + axis]);
+      if (is_wide) {
+        extent.largest = std::max(extent.largest, x);
+      } else if (x != 0.0) {
+        add(x, lowest_bit(x));
+      }
     }
     if (points.weight_kind() == WeightKind::none) continue;
     const Weight weight = exact_weight(points, row.row());
     if (weight.high == 0.0) continue;
-    extent.largest =
-        std::max(extent.largest, std::ldexp(std::sqrt(std::abs(weight.high)), weight.exponent / 2));
+    const double length = std::ldexp(std::sqrt(std::abs(weight.high)), weight.exponent / 2);
+    if (is_wide) {
+      extent.largest = std::max(extent.largest, length);
+      continue;
+    }
     const int low = lowest_bit(weight.low == 0.0 ? weight.high : weight.low) + weight.exponent;
-    extent.lowest = std::min(extent.lowest, (low - (low < 0 ? 1 : 0)) / 2);  // rounded down
+    add(length, (low - (low < 0 ? 1 : 0)) / 2);  // rounded down
   }
   return extent;
 }
@@ -74,55 +92,115 @@ constexpr double kSmallestUnscaled = 0x1p-20;
 // the fast stages can take the lengths as they are, or what brings the largest to about 1.
 std::pair<int, bool> scale_for(const Extent& extent) {
   if (extent.largest == 0.0) return {0, true};
-  const int top = std::ilogb(extent.largest) + 1;  // every length is below 2^top
-  if (top - extent.lowest <= 53) return {-extent.lowest, true};
+  const int top = top_of(extent);
+  if (top - extent.lowest <= kDigits) return {-extent.lowest, true};
   const bool fits = extent.largest < kLargestMagnitude && extent.largest > kSmallestUnscaled;
   return {fits ? 0 : -top, false};
 }
 
-bool scales_exactly(double number, double scaled, int exponent) {
-  return std::isfinite(scaled) && std::ldexp(scaled, -exponent) == number;
-}
+// Multiplication by a power of two, rounded once.
+class Scale {
+ public:
+  explicit Scale(int exponent)
+      : exponent_(exponent),
+        factor_(std::ldexp(1.0, exponent)),
+        inverse_(std::ldexp(1.0, -exponent)),
+        is_plain_(std::abs(exponent) < 1000) {}
 
-double scaled_by(double number, int exponent) {
-  return exponent == 0 ? number : std::ldexp(number, exponent);
+  [[nodiscard]] double operator()(double number) const {
+    return is_plain_ ? number * factor_ : std::ldexp(number, exponent_);
+  }
+  /// Whether `scaled`, made of `number`, is exact.
+  [[nodiscard]] bool is_exact(double number, double scaled) const {
+    if (exponent_ == 0) return true;
+    const double back = is_plain_ ? scaled * inverse_ : std::ldexp(scaled, -exponent_);
+    return std::isfinite(scaled) && back == number;
+  }
+
+ private:
+  int exponent_;
+  double factor_, inverse_;  // doubles where is_plain_
+  bool is_plain_;
+};
+
+// What a part of the sites says of all.
+struct Findings {
+  bool all_exact = true;
+  bool is_unweighted = true;
+  double weight_error = 0.0;
+};
+
+template <int D>
+Findings fill(const WeightedPoints& points, std::span<const SiteId> rows, int scale_exponent,
+              const Weight& first, std::span<Site<D>> sites) {
+  constexpr std::size_t kAhead = 16;  // rows are far apart
+  Findings findings;
+  const Scale scale(scale_exponent);
+  const bool has_weights = points.weight_kind() != WeightKind::none;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i + kAhead < rows.size()) {
+      __builtin_prefetch(&points.coordinates()[D * std::size_t{rows[i + kAhead].row()}]);
+    }
+    const std::size_t row = rows[i].row();
+    Site<D>& site = sites[i];
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      const double x = points.coordinates()[D * row + axis] + 0.0;  // -0 becomes 0
+      site.x[axis] = scale(x);
+      if (!scale.is_exact(x, site.x[axis])) findings.all_exact = false;
+    }
+    site.weight = 0.0;
+    if (!has_weights) continue;
+    const Weight weight = exact_weight(points, row);
+    const Scale scale_of_weight(weight.exponent + 2 * scale_exponent);
+    site.weight = scale_of_weight(weight.high) + 0.0;
+    if (weight.low != 0.0 || !scale_of_weight.is_exact(weight.high, site.weight)) {
+      findings.all_exact = false;
+      const double lost = std::abs(scale_of_weight(weight.low));
+      findings.weight_error =
+          std::max(findings.weight_error, 2 * lost + std::numeric_limits<double>::min());
+    }
+    if (weight.high != first.high || weight.low != first.low || weight.exponent != first.exponent) {
+      findings.is_unweighted = false;
+    }
+  }
+  return findings;
 }
 
 }  // namespace
 
 template <int D>
-Sites<D>::Sites(const WeightedPoints& points, std::vector<SiteId> rows) : rows_(std::move(rows)) {
+Sites<D>::Sites(const WeightedPoints& points, std::vector<SiteId> rows, Threads threads)
+    : rows_(std::move(rows)) {
+  const std::span<const SiteId> all = rows_;
   decimals_ = points.decimals().value_or(0);
-  const auto [scale, integral] = scale_for(extent_of(points, rows_));
+  const std::size_t parts = threads.for_work(rows_.size(), 1U << 14U).count();
+  std::vector<Extent> extents(parts);
+  parallel_parts(threads, size(), parts, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    extents[part] = extent_of(points, all.subspan(begin, end - begin));
+  });
+  Extent extent;
+  for (const Extent& part : extents) {
+    extent.largest = std::max(extent.largest, part.largest);
+    extent.lowest = std::min(extent.lowest, part.lowest);
+  }
+  const auto [scale, integral] = scale_for(extent);
   scale_exponent_ = scale;
-  const bool has_weights = points.weight_kind() != WeightKind::none;
 
-  bool all_exact = true;
-  Weight first{};
   sites_.resize(rows_.size() + 1);
   end_far_away();
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const std::size_t row = rows_[i].row();
-    Site<D>& site = sites_[i];
-    for (std::size_t axis = 0; axis < D; ++axis) {
-      const double x = points.coordinates()[D * row + axis] + 0.0;  // -0 becomes 0
-      site.x[axis] = scaled_by(x, scale);
-      if (scale != 0 && !scales_exactly(x, site.x[axis], scale)) all_exact = false;
-    }
-    site.weight = 0.0;
-    if (!has_weights) continue;
-    const Weight weight = exact_weight(points, row);
-    const int shift = weight.exponent + 2 * scale;
-    site.weight = scaled_by(weight.high, shift) + 0.0;
-    if (weight.low != 0.0 || !scales_exactly(weight.high, site.weight, shift)) {
-      all_exact = false;
-      const double lost = std::abs(scaled_by(weight.low, shift));
-      weight_error_ = std::max(weight_error_, 2 * lost + std::numeric_limits<double>::min());
-    }
-    if (i == 0) first = weight;
-    if (weight.high != first.high || weight.low != first.low || weight.exponent != first.exponent) {
-      is_unweighted_ = false;
-    }
+  const Weight first = rows_.empty() ? Weight{} : exact_weight(points, rows_[0].row());
+  std::vector<Findings> findings(parts);
+  parallel_parts(threads, size(), parts,
+                 [&, scale = scale](std::size_t part, std::size_t begin, std::size_t end) {
+                   const std::size_t count = end - begin;
+                   findings[part] = fill<D>(points, all.subspan(begin, count), scale, first,
+                                            std::span(sites_).subspan(begin, count));
+                 });
+  bool all_exact = true;
+  for (const Findings& part : findings) {
+    all_exact &= part.all_exact;
+    is_unweighted_ &= part.is_unweighted;
+    weight_error_ = std::max(weight_error_, part.weight_error);
   }
   is_integral_ = integral && all_exact;
   if (all_exact) return;

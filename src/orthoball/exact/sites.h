@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "orthoball/ids.h"
+#include "orthoball/parallel.h"
 #include "orthoball/points/weighted_points.h"
+#include "orthoball/uninitialized.h"
 
 namespace orthoball {
 
@@ -43,7 +45,7 @@ class Sites {
  public:
   Sites() = default;
   /// @param rows  the sites taken, in their inside order.
-  Sites(const WeightedPoints& points, std::vector<SiteId> rows);
+  Sites(const WeightedPoints& points, std::vector<SiteId> rows, Threads threads = Threads(1));
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   /// Approximate where is_exact() is false, as said above. One record follows the last site, for
@@ -81,8 +83,8 @@ class Sites {
  private:
   void end_far_away();
 
-  std::vector<Site<D>> sites_;       // and one more, see operator[]; empty without sites
-  std::vector<ExactSite<D>> exact_;  // empty where sites_ are exact
+  UninitializedVector<Site<D>> sites_;  // and one more, see operator[]; empty without sites
+  std::vector<ExactSite<D>> exact_;     // empty where sites_ are exact
   std::vector<SiteId> rows_;
   double weight_error_ = 0.0;
   int scale_exponent_ = 0;

@@ -1,14 +1,4 @@
 // SPDX-License-Identifier: MIT
-//
-// Sites are inserted one by one. Each is located by a walk from the last cell made; if the cell
-// found is not in conflict with it, the site is hidden, now and for ever; otherwise the cells in
-// conflict are replaced by cells at the site. Between insertions the cells are the regular
-// triangulation of the sites so far, with one vertex at infinity.
-//
-// Bowyer. Computing Dirichlet tessellations. The Computer Journal 24 (1981).
-// Edelsbrunner, Shah. Incremental topological flipping works for regular triangulations.
-//   Algorithmica 15 (1996). We replace the whole conflict region instead of flipping through it.
-// Amenta, Choi, Rote. Incremental constructions con BRIO. SoCG 2003: the order of insertion.
 #include "orthoball/triangulation/build.h"
 
 #include <algorithm>
@@ -21,17 +11,15 @@
 #include "orthoball/exact/orient.h"
 #include "orthoball/triangulation/affine_basis.h"
 #include "orthoball/triangulation/canonical_cells.h"
-#include "orthoball/triangulation/conflict_region.h"
+#include "orthoball/triangulation/insertion.h"
 #include "orthoball/triangulation/insertion_order.h"
-#include "orthoball/triangulation/point_location.h"
 
 namespace orthoball {
 namespace {
 
-// The cell of the first A + 1 sites and the A + 1 cells at infinity around it. Returns the first.
+// The cell of the first A + 1 sites, number 0, and the A + 1 cells at infinity around it.
 template <int A, int D>
-std::uint32_t start_cells(CellStore<A>& cells, const Sites<D>& sites,
-                          std::span<const std::uint32_t> basis) {
+void start_cells(CellStore<A>& cells, const Sites<D>& sites, std::span<const std::uint32_t> basis) {
   Corners<A> corners;
   std::copy(basis.begin(), basis.end(), corners.begin());
   if (orient<A, D>(sites, corners) == Sign::negative) std::swap(corners[0], corners[1]);
@@ -58,61 +46,45 @@ std::uint32_t start_cells(CellStore<A>& cells, const Sites<D>& sites,
                  4 * behind[j] + corner_of(behind[j], corners[i]));
     }
   }
-  return first;
 }
 
 // The cells over sites that span A axes, the first A; marks hidden sites.
 template <int A, int D>
-CellStore<A> inserted_cells(const Sites<D>& sites, std::span<const std::uint32_t> order,
-                            std::span<const std::uint32_t> basis, std::vector<bool>& is_hidden) {
+CellArray<A> cells_over(const Sites<D>& sites, std::span<const std::uint32_t> order,
+                        std::span<const std::uint32_t> basis, std::vector<bool>& is_hidden,
+                        Threads threads) {
   constexpr std::size_t kCellsPerSite = A == 3 ? 7 : 2;  // what uniform points need
   CellStore<A> cells(sites.size(), kCellsPerSite * sites.size() + sites.size() / 4 + 4096);
-  std::uint32_t cell = start_cells<A, D>(cells, sites, basis);
-
-  const Territory whole{0, cells.infinity(), cells.infinity()};
-  const PointLocation<A, D> location(cells, sites);
-  ConflictRegion<A, D> region(cells, sites);
-  using Outcome = typename ConflictRegion<A, D>::Outcome;
-  std::vector<std::uint32_t> hidden;
-  for (const std::uint32_t site : order) {
-    if (std::find(basis.begin(), basis.end(), site) != basis.end()) continue;
-    cell = location.locate(site, cell, whole).cell;
-    if (region.insert(site, cell, whole, true, hidden) == Outcome::inserted) {
-      cell = region.new_cell();
-    }
+  start_cells<A, D>(cells, sites, basis);
+  for (const std::uint32_t site : insert_sites<A, D>(cells, sites, order, basis, threads)) {
+    is_hidden[site] = true;
   }
-  for (const std::uint32_t vertex : hidden) is_hidden[vertex] = true;
-  region.supply().close();
-  return cells;
+  return canonical_cells<A>(std::move(cells), is_hidden, A == D, threads);
 }
 
 template <int A, int D>
-std::vector<CellRecord<A>> cells_in_span(const Sites<D>& sites, const AffineBasis<D>& basis,
-                                         std::span<const std::uint32_t> order,
-                                         std::vector<bool>& is_hidden) {
-  if constexpr (A == D) {
-    return canonical_cells<A>(inserted_cells<A, D>(sites, order, basis.sites, is_hidden), is_hidden,
-                              true);
-  } else {
-    const Sites<D> projected = sites.with_axes(basis.axes);
-    return canonical_cells<A>(inserted_cells<A, D>(projected, order, basis.sites, is_hidden),
-                              is_hidden, false);
-  }
+CellArray<A> cells_in_span(const Sites<D>& sites, const AffineBasis<D>& basis,
+                           std::span<const std::uint32_t> order, std::vector<bool>& is_hidden,
+                           Threads threads) {
+  if constexpr (A == D)
+    return cells_over<A, D>(sites, order, basis.sites, is_hidden, threads);
+  else
+    return cells_over<A, D>(sites.with_axes(basis.axes), order, basis.sites, is_hidden, threads);
 }
 
 }  // namespace
 
 template <int D>
-RegularTriangulation<D> regular_triangulation(const WeightedPoints& points) {
+RegularTriangulation<D> regular_triangulation(const WeightedPoints& points, Threads threads) {
   if (points.dimension() != D) {
     throw InputError(InputError::Reason::wrong_size, InputError::kNoRow,
                      "points of dimension " + std::to_string(points.dimension()) +
                          " for a triangulation of dimension " + std::to_string(D));
   }
   typename RegularTriangulation<D>::Parts parts;
-  CurveOrder curve = curve_order<D>(points);
+  CurveOrder curve = curve_order<D>(points, threads);
   parts.duplicates = std::move(curve.duplicates);
-  Sites<D> sites(points, std::move(curve.rows));
+  Sites<D> sites(points, std::move(curve.rows), threads);
   const std::vector<std::uint32_t> order = insertion_order(sites.size());
   const AffineBasis<D> basis = affine_basis(sites, order);
 
@@ -123,13 +95,14 @@ RegularTriangulation<D> regular_triangulation(const WeightedPoints& points) {
       std::fill(is_hidden.begin(), is_hidden.end() - 1, true);
       break;
     case 1:
-      parts.segments = cells_in_span<1>(sites, basis, order, is_hidden);
+      parts.segments = cells_in_span<1>(sites, basis, order, is_hidden, threads);
       break;
     case 2:
-      parts.triangles = cells_in_span<2>(sites, basis, order, is_hidden);
+      parts.triangles = cells_in_span<2>(sites, basis, order, is_hidden, threads);
       break;
     case 3:
-      if constexpr (D == 3) parts.tetrahedra = cells_in_span<3>(sites, basis, order, is_hidden);
+      if constexpr (D == 3)
+        parts.tetrahedra = cells_in_span<3>(sites, basis, order, is_hidden, threads);
       break;
     default:
       break;
@@ -144,7 +117,7 @@ RegularTriangulation<D> regular_triangulation(const WeightedPoints& points) {
   return RegularTriangulation<D>(std::move(parts));
 }
 
-template RegularTriangulation<2> regular_triangulation<2>(const WeightedPoints&);
-template RegularTriangulation<3> regular_triangulation<3>(const WeightedPoints&);
+template RegularTriangulation<2> regular_triangulation<2>(const WeightedPoints&, Threads);
+template RegularTriangulation<3> regular_triangulation<3>(const WeightedPoints&, Threads);
 
 }  // namespace orthoball

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A counting sort by the smallest corner, then a small sort among the cells that share it, on
-// their way to the place where they stay. Until the neighbours are filled in, each new record has
-// its old cell's number in the place of the first of them, and each old cell, whose corners are no
-// longer needed, its new number and the way its corners went.
+// Everything happens in the memory that the cells have. First they are grouped by their smallest
+// corner: a counting sort gives each cell its place, neighbours are rewritten to these, and records
+// are moved along the cycles of that permutation, several at a time, for each step waits for
+// memory. Then the cells of each group, few and side by side, are put in order with their corners,
+// and neighbours are rewritten once more: all they refer to is near by then.
 #include "orthoball/triangulation/canonical_cells.h"
 
 #include <algorithm>
@@ -11,16 +12,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <utility>
+
+#include "orthoball/uninitialized.h"
 
 namespace orthoball {
 namespace {
 
 /// Which corner of the new record each old corner has become, 2 bits each.
-using CornerMap = std::uint32_t;
+using CornerMap = std::uint8_t;
 
 std::uint32_t mapped(CornerMap map, std::uint32_t old_corner) {
-  return map >> (2 * old_corner) & 3U;
+  return std::uint32_t{map} >> (2 * old_corner) & 3U;
 }
 
 template <int A>
@@ -45,61 +49,26 @@ SortedCorners<A> sorted_corners(const std::array<std::uint32_t, std::size_t{A + 
     }
   }
   const bool is_exchanged = is_oriented && inversions % 2 == 1;
-  SortedCorners<A> sorted{{}, 0};
+  SortedCorners<A> sorted;
+  std::uint32_t map = 0;
   for (std::uint32_t i = 0; i <= A; ++i) {
     if (is_exchanged && rank[i] + 1 >= A) rank[i] = 2 * A - 1 - rank[i];
     sorted.corners[rank[i]] = old[i];
-    sorted.map |= rank[i] << (2 * i);
+    map |= rank[i] << (2 * i);
   }
+  sorted.map = static_cast<CornerMap>(map);
   return sorted;
-}
-
-/// The finite cells by their smallest corner.
-struct ByFirstCorner {
-  std::vector<std::uint32_t> begin;  // [site] where its cells begin; at the end, their number
-  std::vector<std::uint32_t> cells;
-};
-
-// Leaves kOutside in the first corner of cells at infinity.
-template <int A>
-ByFirstCorner by_first_corner(CellStore<A>& cells, std::size_t sites) {
-  const std::uint32_t old_cells = cells.size();
-  const auto is_kept = [&](std::uint32_t cell) {
-    return !cells.is_dead(cells[cell]) && cells.is_finite(cells[cell]);
-  };
-  const auto first_corner = [&](std::uint32_t cell) {
-    const auto& corners = cells[cell].corners;
-    return *std::min_element(corners.begin(), corners.end());
-  };
-  ByFirstCorner order{std::vector<std::uint32_t>(sites + 1, 0), {}};
-  for (std::uint32_t cell = 0; cell < old_cells; ++cell) {
-    if (is_kept(cell)) ++order.begin[first_corner(cell) + 1];
-  }
-  for (std::size_t site = 0; site < sites; ++site) order.begin[site + 1] += order.begin[site];
-
-  order.cells.resize(order.begin[sites]);
-  std::vector<std::uint32_t> next(order.begin.begin(), order.begin.end() - 1);
-  for (std::uint32_t cell = 0; cell < old_cells; ++cell) {
-    if (is_kept(cell)) {
-      order.cells[next[first_corner(cell)]++] = cell;
-    } else {
-      cells[cell].corners[0] = kOutside;
-    }
-  }
-  return order;
 }
 
 /// A cell among those that share its first corner.
 template <int A>
 struct CellAtSite {
-  SortedCorners<A> sorted;
-  std::uint32_t old;
   std::uint64_t key;  // the other corners, ascending, but for the largest of four
   std::uint32_t last;
 
-  CellAtSite(const SortedCorners<A>& of, std::uint32_t cell) : sorted(of), old(cell) {
-    const auto [low, high] = std::minmax(of.corners[A - 1], of.corners[A]);
-    key = A == 3 ? std::uint64_t{of.corners[1]} << 32U | low : std::uint64_t{low} << 32U | high;
+  explicit CellAtSite(const std::array<std::uint32_t, std::size_t{A + 1}>& corners) {
+    const auto [low, high] = std::minmax(corners[A - 1], corners[A]);
+    key = A == 3 ? std::uint64_t{corners[1]} << 32U | low : std::uint64_t{low} << 32U | high;
     last = high;
   }
   // 1 if *this comes before `other`: no branches.
@@ -132,73 +101,190 @@ void rank(const std::vector<CellAtSite<A>>& cells, std::vector<std::uint32_t>& r
   for (std::uint32_t i = 0; i < order.size(); ++i) ranks[order[i]] = i;
 }
 
+/// Where the cells of each vertex go, with its cells told apart by the smallest corner.
+template <int A>
+class CanonicalOrder {
+ public:
+  CanonicalOrder(CellStore<A> cells, std::size_t vertices, bool is_oriented, Threads threads)
+      : cells_(cells.take()),
+        infinity_(cells.infinity()),
+        is_oriented_(is_oriented),
+        threads_(threads.for_work(cells_.size(), 1U << 15U)),
+        begins_(vertices + 1, 0),
+        place_(cells_.size()) {}
+
+  CellArray<A> cells() {
+    find_places();
+    redirect();
+    move();
+    cells_.resize(begins_.back());
+    maps_.resize(cells_.size());
+    parallel_parts(threads_, vertices(), parts(),
+                   [&](std::size_t, std::size_t begin, std::size_t end) { rank(begin, end); });
+    parallel_parts(threads_, vertices(), parts(),
+                   [&](std::size_t, std::size_t begin, std::size_t end) { settle(begin, end); });
+    return std::move(cells_);
+  }
+
+ private:
+  static constexpr std::uint32_t kNowhere = 0xFFFFFFFFU;  // the place of a cell that is not kept
+
+  [[nodiscard]] std::size_t vertices() const { return begins_.size() - 1; }
+  [[nodiscard]] std::size_t parts() const { return threads_.count(); }
+
+  // Whether a cell is neither dead nor at infinity, and its smallest corner.
+  [[nodiscard]] std::pair<bool, std::uint32_t> kept(const CellRecord<A>& cell) const {
+    const auto [least, largest] = std::minmax_element(cell.corners.begin(), cell.corners.end());
+    return {!CellStore<A>::is_dead(cell) && *largest < infinity_, *least};
+  }
+
+  // Fills begins_ and place_. Each part of the cells counts by itself, and then knows where its own
+  // begin.
+  void find_places() {
+    // [part][vertex]: how many cells, then where the next goes.
+    std::vector<std::vector<std::uint32_t>> next(parts());
+    parallel_parts(threads_, cells_.size(), parts(),
+                   [&](std::size_t part, std::size_t begin, std::size_t end) {
+                     next[part].resize(vertices());
+                     for (std::size_t cell = begin; cell < end; ++cell) {
+                       const auto [is_kept, vertex] = kept(cells_[cell]);
+                       if (is_kept) ++next[part][vertex];
+                     }
+                   });
+    std::uint32_t sum = 0;
+    for (std::size_t vertex = 0; vertex < vertices(); ++vertex) {
+      begins_[vertex] = sum;
+      for (auto& of_part : next) sum += std::exchange(of_part[vertex], sum);
+    }
+    begins_.back() = sum;
+    parallel_parts(threads_, cells_.size(), parts(),
+                   [&](std::size_t part, std::size_t begin, std::size_t end) {
+                     for (std::size_t cell = begin; cell < end; ++cell) {
+                       const auto [is_kept, vertex] = kept(cells_[cell]);
+                       place_[cell] = is_kept ? next[part][vertex]++ : kNowhere;
+                     }
+                   });
+  }
+
+  // Neighbours become places; kOutside where they are not kept.
+  void redirect() {
+    parallel_parts(threads_, cells_.size(), parts(),
+                   [&](std::size_t, std::size_t begin, std::size_t end) {
+                     for (std::size_t cell = begin; cell < end; ++cell) {
+                       if (place_[cell] == kNowhere) continue;
+                       for (std::uint32_t& facet : cells_[cell].neighbours) {
+                         const std::uint32_t place = place_[facet / 4];
+                         facet = place == kNowhere ? kOutside : 4 * place + facet % 4;
+                       }
+                     }
+                   });
+  }
+
+  // Moves every kept cell to its place: a cell in hand is put down where it belongs and what was
+  // there taken up, until that is a gap. Several hands work in turn, so that they wait for memory
+  // together; any gap ends the way of any hand.
+  void move() {
+    struct Hand {
+      CellRecord<A> cell;
+      std::uint32_t place = kNowhere;
+    };
+    constexpr std::size_t kHands = 24;
+    std::array<Hand, kHands> hands;
+    std::uint32_t start = 0;
+    const auto size = static_cast<std::uint32_t>(cells_.size());
+    // The next cell that is not where it belongs; leaves a gap there.
+    const auto take_up = [&](Hand& hand) {
+      while (start < size && (place_[start] == kNowhere || place_[start] == start)) ++start;
+      if (start == size) return false;
+      hand = {cells_[start], place_[start]};
+      place_[start++] = kNowhere;
+      return true;
+    };
+    for (bool is_busy = true; is_busy;) {
+      is_busy = false;
+      for (Hand& hand : hands) {
+        if (hand.place == kNowhere && !take_up(hand)) continue;
+        is_busy = true;
+        const std::uint32_t here = hand.place;
+        const CellRecord<A> there = cells_[here];
+        cells_[here] = hand.cell;
+        hand = {there, std::exchange(place_[here], kNowhere)};
+        if (hand.place == kNowhere) continue;
+        __builtin_prefetch(&cells_[hand.place], 1);
+        __builtin_prefetch(&place_[hand.place], 1);
+      }
+    }
+  }
+
+  // Finds the final places of the cells of some vertices, and puts their corners in order.
+  void rank(std::size_t begin, std::size_t end) {
+    std::vector<CellAtSite<A>> at_site;
+    std::vector<std::uint32_t> ranks;
+    for (std::size_t vertex = begin; vertex < end; ++vertex) {
+      at_site.clear();
+      for (std::uint32_t cell = begins_[vertex]; cell < begins_[vertex + 1]; ++cell) {
+        const SortedCorners<A> sorted = sorted_corners<A>(cells_[cell].corners, is_oriented_);
+        cells_[cell].corners = sorted.corners;
+        maps_[cell] = sorted.map;
+        at_site.emplace_back(sorted.corners);
+      }
+      orthoball::rank(at_site, ranks);
+      for (std::uint32_t i = 0; i < ranks.size(); ++i) {
+        place_[begins_[vertex] + i] = begins_[vertex] + ranks[i];
+      }
+    }
+  }
+
+  // Brings the cells of some vertices to their final places.
+  void settle(std::size_t begin, std::size_t end) {
+    std::vector<CellRecord<A>> of_vertex;
+    for (std::size_t vertex = begin; vertex < end; ++vertex) {
+      const std::uint32_t first = begins_[vertex];
+      of_vertex.assign(&cells_[first], &cells_[first] + (begins_[vertex + 1] - first));
+      for (std::uint32_t i = 0; i < of_vertex.size(); ++i) {
+        CellRecord<A>& record = cells_[place_[first + i]];
+        record.corners = of_vertex[i].corners;
+        for (std::uint32_t corner = 0; corner <= A; ++corner) {
+          const std::uint32_t facet = of_vertex[i].neighbours[corner];
+          record.neighbours[mapped(maps_[first + i], corner)] =
+              facet == kOutside ? kOutside
+                                : 4 * place_[facet / 4] + mapped(maps_[facet / 4], facet % 4);
+        }
+      }
+    }
+  }
+
+  CellArray<A> cells_;
+  std::uint32_t infinity_;
+  bool is_oriented_;
+  Threads threads_;
+  std::vector<std::uint32_t> begins_;  // [vertex] where the cells begin of which it is the smallest
+  UninitializedVector<std::uint32_t> place_;  // [cell] where it goes
+  UninitializedVector<CornerMap> maps_;       // [cell]
+};
+
 }  // namespace
 
 template <int A>
-std::vector<CellRecord<A>> canonical_cells(CellStore<A> cells, const std::vector<bool>& is_hidden,
-                                           bool is_oriented) {
+CellArray<A> canonical_cells(CellStore<A> cells, const std::vector<bool>& is_hidden,
+                             bool is_oriented, Threads threads) {
   const std::size_t sites = is_hidden.size();
+  CellArray<A> result = CanonicalOrder<A>(std::move(cells), sites, is_oriented, threads).cells();
+  if (std::find(is_hidden.begin(), is_hidden.end(), true) == is_hidden.end()) return result;
   std::vector<std::uint32_t> vertex_of(sites);  // [site]; means nothing where hidden
   std::uint32_t vertices = 0;
   for (std::size_t site = 0; site < sites; ++site) {
     vertex_of[site] = vertices;
     vertices += is_hidden[site] ? 0U : 1U;
   }
-  const ByFirstCorner order = by_first_corner(cells, sites);
-
-  // Old cells are far apart in memory where new ones are neighbours: ask for them ahead of use.
-  constexpr std::size_t kAhead = 16;
-  const std::size_t count = order.cells.size();
-  std::vector<CellRecord<A>> result;
-  result.reserve(count);
-  std::vector<CellAtSite<A>> at_site;
-  std::vector<std::uint32_t> ranks;
-  for (std::size_t site = 0; site < sites; ++site) {
-    at_site.clear();
-    for (std::size_t i = order.begin[site]; i < order.begin[site + 1]; ++i) {
-      if (i + kAhead < count) __builtin_prefetch(&cells[order.cells[i + kAhead]], 1);
-      at_site.emplace_back(sorted_corners<A>(cells[order.cells[i]].corners, is_oriented),
-                           order.cells[i]);
-    }
-    rank(at_site, ranks);
-    result.resize(order.begin[site + 1]);
-    for (std::size_t i = 0; i < at_site.size(); ++i) {
-      const std::uint32_t cell = order.begin[site] + ranks[i];
-      const auto& [corners, map] = at_site[i].sorted;
-      for (std::size_t corner = 0; corner <= A; ++corner) {
-        result[cell].corners[corner] = vertex_of[corners[corner]];
-      }
-      result[cell].neighbours[0] = at_site[i].old;
-      auto& old_corners = cells[at_site[i].old].corners;
-      old_corners[0] = cell;
-      old_corners[1] = map;
-    }
-  }
-
-  for (std::size_t cell = 0; cell < count; ++cell) {
-    if (cell + 2 * kAhead < count) {
-      __builtin_prefetch(&cells[result[cell + 2 * kAhead].neighbours[0]]);
-      for (const std::uint32_t facet : cells[result[cell + kAhead].neighbours[0]].neighbours) {
-        __builtin_prefetch(&cells[facet / 4]);
-      }
-    }
-    CellRecord<A>& record = result[cell];
-    const auto& old = cells[record.neighbours[0]];
-    for (std::uint32_t i = 0; i <= A; ++i) {
-      const auto& beyond = cells[old.neighbours[i] / 4];
-      const std::uint32_t corner = mapped(beyond.corners[1], old.neighbours[i] % 4);
-      record.neighbours[mapped(old.corners[1], i)] =
-          beyond.corners[0] == kOutside ? kOutside : 4 * beyond.corners[0] + corner;
-    }
+  for (CellRecord<A>& record : result) {
+    for (std::uint32_t& corner : record.corners) corner = vertex_of[corner];
   }
   return result;
 }
 
-template std::vector<CellRecord<1>> canonical_cells<1>(CellStore<1>, const std::vector<bool>&,
-                                                       bool);
-template std::vector<CellRecord<2>> canonical_cells<2>(CellStore<2>, const std::vector<bool>&,
-                                                       bool);
-template std::vector<CellRecord<3>> canonical_cells<3>(CellStore<3>, const std::vector<bool>&,
-                                                       bool);
+template CellArray<1> canonical_cells<1>(CellStore<1>, const std::vector<bool>&, bool, Threads);
+template CellArray<2> canonical_cells<2>(CellStore<2>, const std::vector<bool>&, bool, Threads);
+template CellArray<3> canonical_cells<3>(CellStore<3>, const std::vector<bool>&, bool, Threads);
 
 }  // namespace orthoball

@@ -5,9 +5,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "orthoball/error.h"
@@ -29,16 +29,15 @@ class CellStore {
   /// @param vertices  numbers of finite vertices are below.
   /// @param cells     room for so many at first; what is not used costs no memory.
   /// @throws LimitError for more than 2^29 vertices.
-  CellStore(std::size_t vertices, std::size_t cells)
-      : vertices_(checked(vertices)),
-        room_(static_cast<std::uint32_t>(std::min(cells, kMostCells))),
-        cells_(std::make_unique_for_overwrite<Cell[]>(room_)) {}
+  CellStore(std::size_t vertices, std::size_t cells) : vertices_(checked(vertices)) {
+    cells_.reserve(std::min(cells, kMostCells));
+  }
 
   /// The number of the vertex at infinity: that of the record behind the last of Sites.
   [[nodiscard]] std::uint32_t infinity() const { return vertices_; }
 
-  [[nodiscard]] std::uint32_t size() const { return size_; }  // dead ones included
-  [[nodiscard]] std::uint32_t room() const { return room_; }  // size() at which cells move
+  /// Dead ones included.
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(cells_.size()); }
   [[nodiscard]] const Cell& operator[](std::uint32_t cell) const { return cells_[cell]; }
   [[nodiscard]] Cell& operator[](std::uint32_t cell) { return cells_[cell]; }
 
@@ -63,9 +62,11 @@ class CellStore {
   /// The first of `count` new cells, which are not written yet. May move all cells.
   /// @throws LimitError for more than 2^29 cells.
   [[nodiscard]] std::uint32_t add(std::uint32_t count) {
-    if (count > room_ - size_) grow(count);
-    const std::uint32_t first = size_;
-    size_ += count;
+    const std::uint32_t first = size();
+    if (count > kMostCells - first) {
+      throw LimitError("more than 2^29 cells in the triangulation; at most 75 million sites fit");
+    }
+    cells_.resize(cells_.size() + count);
     return first;
   }
 
@@ -74,6 +75,9 @@ class CellStore {
     cells_[cell_and_corner / 4].neighbours[cell_and_corner % 4] = other;
     cells_[other / 4].neighbours[other % 4] = cell_and_corner;
   }
+
+  /// All cells; the store is then empty.
+  [[nodiscard]] CellArray<A> take() { return std::move(cells_); }
 
  private:
   // Neighbours have 2 bits for a corner and one for the mark; vertices have more cells than they
@@ -86,22 +90,8 @@ class CellStore {
     }
     return static_cast<std::uint32_t>(vertices);
   }
-  void grow(std::uint32_t count) {
-    if (count > kMostCells - size_) {
-      throw LimitError("more than 2^29 cells in the triangulation; at most 75 million sites fit");
-    }
-    const std::size_t wanted = std::max<std::size_t>(size_ + count, size_ + size_ / 2);
-    const auto room = static_cast<std::uint32_t>(std::min(wanted, kMostCells));
-    auto cells = std::make_unique_for_overwrite<Cell[]>(room);
-    std::copy_n(cells_.get(), size_, cells.get());
-    cells_ = std::move(cells);
-    room_ = room;
-  }
-
   std::uint32_t vertices_;
-  std::uint32_t size_ = 0;
-  std::uint32_t room_;
-  std::unique_ptr<Cell[]> cells_;
+  CellArray<A> cells_;
 };
 
 /// Unused and dead cells of a store, for one thread to take.

@@ -18,6 +18,25 @@
 
 namespace orthoball {
 
+/// Zeros, of which only those that are written or read cost memory.
+class UntouchedWords {
+ public:
+  explicit UntouchedWords(std::size_t size)
+      : size_(size),
+        words_(static_cast<std::uint32_t*>(std::calloc(size + 1, sizeof(std::uint32_t)))) {
+    if (words_ == nullptr) throw std::bad_alloc();
+  }
+  [[nodiscard]] std::uint32_t* data() const { return words_.get(); }
+  void clear() { std::fill_n(words_.get(), size_, 0U); }
+
+ private:
+  struct Free {
+    void operator()(std::uint32_t* memory) const { std::free(memory); }
+  };
+  std::size_t size_;
+  std::unique_ptr<std::uint32_t[], Free> words_;
+};
+
 /// The number of each vertex on a boundary, by order of appearance, with nothing to reset between
 /// boundaries: what an earlier one left bears another stamp. Four bytes a vertex, of which only
 /// those that are met cost memory.
@@ -54,28 +73,20 @@ class BoundaryNumbers {
     std::uint32_t count_ = 0;
   };
 
-  explicit BoundaryNumbers(std::size_t vertices)
-      : size_(vertices),
-        marks_(static_cast<std::uint32_t*>(std::calloc(vertices, sizeof(std::uint32_t)))) {
-    if (marks_ == nullptr) throw std::bad_alloc();
-  }
+  explicit BoundaryNumbers(std::size_t vertices) : marks_(vertices) {}
 
   /// Ends the numbering before.
   [[nodiscard]] Numbering of_new_boundary() {
     stamp_ += kMost;
     if (stamp_ == 0) {  // all stamps have been used
-      std::fill_n(marks_.get(), size_, 0U);
+      marks_.clear();
       stamp_ = kMost;
     }
-    return {marks_.get(), stamp_};
+    return {marks_.data(), stamp_};
   }
 
  private:
-  struct Free {
-    void operator()(std::uint32_t* memory) const { std::free(memory); }
-  };
-  std::size_t size_;
-  std::unique_ptr<std::uint32_t[], Free> marks_;  // zero, without touching the memory
+  UntouchedWords marks_;  // [vertex] stamp and number
   std::uint32_t stamp_ = 0;
 };
 
@@ -100,16 +111,15 @@ class ConflictRegion {
         sites_(sites),
         search_(cells, sites),
         supply_(cells),
-        numbers_(cells.infinity() + std::size_t{1}) {
-    left_of_.resize(A == 3 ? kMatrix : A == 2 ? cells.infinity() + std::size_t{1} : 0);
-  }
+        numbers_(cells.infinity() + std::size_t{1}),
+        left_of_(A == 3 ? kMatrix : cells.infinity() + std::size_t{1}) {}
 
   /// Replaces the cells in conflict with `site`, which the cell `found` contains. Appends to
   /// `hidden` the site, if it is hidden, or else the vertices that no longer have a cell. Postponed
   /// if a cell outside the territory is in conflict, or there is no room for new cells and
   /// `may_grow` does not allow for more; then nothing has changed.
-  Outcome insert(std::uint32_t site, std::uint32_t found, const Territory& territory, bool may_grow,
-                 std::vector<std::uint32_t>& hidden) {
+  Outcome insert(std::uint32_t site, std::uint32_t found, const Territory<D>& territory,
+                 bool may_grow, std::vector<std::uint32_t>& hidden) {
     if (!in_conflict<A, D>(cells_, sites_, found, site)) {
       hidden.push_back(site);
       return Outcome::hidden;
@@ -203,12 +213,13 @@ class ConflictRegion {
   // The boundary is a cycle: left_of_[v] is the cell at the facet that begins at v.
   void restar_in_plane(std::uint32_t site) {
     const std::span<const Facet> boundary = search_.boundary();
+    std::uint32_t* const left_of = left_of_.data();
     for (std::size_t f = 0; f < boundary.size(); ++f) {
-      left_of_[boundary[f].vertices[0]] = places_[f];
+      left_of[boundary[f].vertices[0]] = places_[f];
     }
     for (std::size_t f = 0; f < boundary.size(); ++f) {
       const auto [vertices, outside] = boundary[f];
-      const std::uint32_t next = left_of_[vertices[1]];
+      const std::uint32_t next = left_of[vertices[1]];
       cells_[places_[f]].corners = {site, vertices[0], vertices[1]};
       cells_[places_[f]].neighbours[0] = outside;
       cells_[places_[f]].neighbours[1] = 4 * next + 2;
@@ -274,7 +285,7 @@ class ConflictRegion {
   std::vector<Numbers> facet_numbers_;
   BoundaryNumbers numbers_;
   // In space [place of a directed ridge] the facet to its left, in the plane see restar_in_plane.
-  std::vector<std::uint32_t> left_of_;
+  UntouchedWords left_of_;
 };
 
 }  // namespace orthoball

@@ -54,7 +54,7 @@ class ConflictSearch {
 
   /// Kills the cells in conflict with `site`, found from `start`, which is one of them; false, and
   /// nothing is changed, if one of them is not in the territory.
-  bool find(std::uint32_t site, std::uint32_t start, const Territory& territory) {
+  bool find(std::uint32_t site, std::uint32_t start, const Territory<D>& territory) {
     cells_.kill(start);
     dead_[0] = start;
     dead_count_ = 1;
@@ -127,7 +127,8 @@ class ConflictSearch {
       return search.settled(record, site, fates, open, ties);
     }
   };
-  ORTHOBALL_AVX2 bool spread_wide(std::uint32_t site, const Territory& territory) {
+  ORTHOBALL_AVX2 [[gnu::flatten]] bool spread_wide(std::uint32_t site,
+                                                   const Territory<D>& territory) {
     if constexpr (A == D) {
       return spread(site, territory, WideGlance{*this, {sites_, site}});
     } else {
@@ -135,7 +136,7 @@ class ConflictSearch {
     }
   }
 #else
-  bool spread_wide(std::uint32_t site, const Territory& territory) {
+  bool spread_wide(std::uint32_t site, const Territory<D>& territory) {
     return spread(site, territory, PlainGlance{*this});
   }
 #endif
@@ -143,9 +144,9 @@ class ConflictSearch {
   // From every dead cell over its facets; false if a cell in conflict is not in the territory. What
   // the loop needs is at hand in local variables, which no store to a record can change.
   template <class Glance>
-  [[gnu::always_inline]] bool spread(std::uint32_t site, const Territory& territory,
+  [[gnu::always_inline]] bool spread(std::uint32_t site, const Territory<D>& territory,
                                      const Glance& glance) {
-    const bool is_whole = territory.begin == 0 && territory.end == cells_.infinity();
+    const bool is_whole = territory.is_whole();
     Cell* const cells = &cells_[0];
     std::uint32_t* dead = dead_.data();
     BoundaryFacet<A>* boundary = boundary_.data();
@@ -191,7 +192,7 @@ class ConflictSearch {
     return view;
   }
 
-  [[gnu::noinline]] static bool owns(const Territory& territory, const Corners<A>& apexes,
+  [[gnu::noinline]] static bool owns(const Territory<D>& territory, const Corners<A>& apexes,
                                      std::uint32_t dying) {
     bool all = true;
     for (std::uint32_t i = 0; i <= A; ++i) {

@@ -133,16 +133,20 @@ std::uint64_t scrambled(std::uint64_t number) {
 }  // namespace
 
 template <int D>
-CurveOrder curve_order(const WeightedPoints& points) {
+CurveOrder curve_order(const WeightedPoints& points, Threads threads) {
   const Box<D> box(points.coordinates());
   std::vector<KeyedRow> keyed(points.size());
-  for (std::uint32_t row = 0; row < keyed.size(); ++row) {
-    std::array<std::uint32_t, std::size_t{D}> cube;
-    for (std::size_t axis = 0; axis < D; ++axis) {
-      cube[axis] = box.integer(points.coordinates()[std::size_t{D} * row + axis], axis);
-    }
-    keyed[row] = {curve_index<D>(cube, Box<D>::kLevels), row};
-  }
+  const std::size_t parts = threads.for_work(points.size(), 1U << 14U).count();
+  parallel_parts(
+      threads, keyed.size(), parts, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t row = begin; row < end; ++row) {
+          std::array<std::uint32_t, std::size_t{D}> cube;
+          for (std::size_t axis = 0; axis < D; ++axis) {
+            cube[axis] = box.integer(points.coordinates()[D * row + axis], axis);
+          }
+          keyed[row] = {curve_index<D>(cube, Box<D>::kLevels), static_cast<std::uint32_t>(row)};
+        }
+      });
   radix_sort(keyed);
 
   CurveOrder order;
@@ -203,7 +207,7 @@ std::vector<std::uint32_t> insertion_order(std::size_t count) {
   return order;
 }
 
-template CurveOrder curve_order<2>(const WeightedPoints&);
-template CurveOrder curve_order<3>(const WeightedPoints&);
+template CurveOrder curve_order<2>(const WeightedPoints&, Threads);
+template CurveOrder curve_order<3>(const WeightedPoints&, Threads);
 
 }  // namespace orthoball

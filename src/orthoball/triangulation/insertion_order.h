@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "orthoball/ids.h"
+#include "orthoball/parallel.h"
 #include "orthoball/points/weighted_points.h"
 #include "orthoball/triangulation/regular_triangulation.h"
 
@@ -22,7 +23,7 @@ struct CurveOrder {
 /// of sites only, not on their rows. O(n) time.
 /// @tparam D  2 or 3, points.dimension().   @cite skilling_2004
 template <int D>
-[[nodiscard]] CurveOrder curve_order(const WeightedPoints& points);
+[[nodiscard]] CurveOrder curve_order(const WeightedPoints& points, Threads threads = Threads(1));
 
 /// The order in which sites numbered along a curve are inserted: random rounds, each about seven
 /// times the one before, and within a round along the curve. So every site finds the triangulation

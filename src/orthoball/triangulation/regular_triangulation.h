@@ -11,6 +11,7 @@
 #include "orthoball/exact/sites.h"
 #include "orthoball/ids.h"
 #include "orthoball/points/weighted_points.h"
+#include "orthoball/uninitialized.h"
 
 namespace orthoball {
 
@@ -35,6 +36,9 @@ struct alignas(A == 3 ? 32 : 4) CellRecord {
   std::array<std::uint32_t, std::size_t{A + 1}> corners;     ///< vertices by number
   std::array<std::uint32_t, std::size_t{A + 1}> neighbours;  ///< 4 * cell + corner, or kOutside
 };
+
+template <int A>
+using CellArray = UninitializedVector<CellRecord<A>>;
 
 /// The regular (weighted Delaunay) triangulation of weighted points: Del B of the paper.
 ///
@@ -89,11 +93,11 @@ class RegularTriangulation {
   struct Parts {
     int affine_dimension = -1;
     Sites<D> sites;
-    std::vector<CellRecord<1>> segments;    // empty unless affine_dimension is 1
-    std::vector<CellRecord<2>> triangles;   // ... 2
-    std::vector<CellRecord<3>> tetrahedra;  // ... 3
-    std::vector<SiteId> hidden;             // ascending
-    std::vector<Duplicate> duplicates;      // ascending by row
+    CellArray<1> segments;              // empty unless affine_dimension is 1
+    CellArray<2> triangles;             // ... 2
+    CellArray<3> tetrahedra;            // ... 3
+    std::vector<SiteId> hidden;         // ascending
+    std::vector<Duplicate> duplicates;  // ascending by row
   };
   explicit RegularTriangulation(Parts parts) : parts_(std::move(parts)) {}
 

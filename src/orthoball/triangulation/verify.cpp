@@ -232,9 +232,9 @@ void check_geometry(const RegularTriangulation<D>& triangulation, const Weighted
   }
   if (!faults.empty()) return;
   const PointLocation<A, D> location(cells, sites);
-  const Territory whole{0, cells.infinity(), cells.infinity()};
   for (auto site = static_cast<std::uint32_t>(vertices); site < sites.size(); ++site) {
-    if (in_conflict<A, D>(cells, sites, location.locate(site, 0, whole).cell, site)) {
+    if (in_conflict<A, D>(cells, sites, location.locate(site, 0, Territory<D>::whole()).cell,
+                          site)) {
       faults.add("row " + std::to_string(sites.row(site).row()) + " is not hidden");
     }
   }

@@ -277,7 +277,7 @@ TEST(Verify, SeesAHiddenSiteThatShouldBeAVertex) {
 TEST(Verify, SeesPiecesThatAreNotConnected) {
   const WeightedPoints points(2, {0, 0, 1, 0, 0, 1, 9, 9, 8, 9, 9, 8}, WeightKind::none, {});
   Parts2 parts = parts_of(regular_triangulation<2>(points));
-  std::vector<CellRecord<2>> kept;
+  CellArray<2> kept;
   for (const auto& cell : parts.triangles) {
     const auto side = [&](std::uint32_t vertex) { return parts.sites.row(vertex).row() < 3; };
     if (side(cell.corners[0]) != side(cell.corners[1]) ||

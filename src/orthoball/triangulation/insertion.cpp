@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+//
+// Bowyer. Computing Dirichlet tessellations. The Computer Journal 24 (1981).
+// Edelsbrunner, Shah. Incremental topological flipping works for regular triangulations.
+//   Algorithmica 15 (1996). We replace the whole conflict region instead of flipping through it.
+// Amenta, Choi, Rote. Incremental constructions con BRIO. SoCG 2003: the order of insertion.
+// Marot, Pellerin, Remacle. One machine, one minute, three billion tetrahedra. International
+//   Journal for Numerical Methods in Engineering 117 (2019): parts of a curve as territories. There
+//   threads look at cells that others may be changing; here none does (see Territory).
+#include "orthoball/triangulation/insertion.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "orthoball/triangulation/conflict_region.h"
+#include "orthoball/triangulation/point_location.h"
+#include "orthoball/triangulation/territory.h"
+
+namespace orthoball {
+namespace {
+
+template <int A, int D>
+class Insertion {
+ public:
+  Insertion(CellStore<A>& cells, const Sites<D>& sites, std::span<const std::uint32_t> basis,
+            Threads threads)
+      : cells_(cells),
+        sites_(sites),
+        basis_(basis),
+        threads_(threads),
+        location_(cells, sites),
+        inserted_(basis.size()) {
+    add_worker();
+  }
+
+  void insert(std::span<const std::uint32_t> order) {
+    while (!order.empty()) {
+      const auto end = std::is_sorted_until(order.begin(), order.end());
+      const auto round = order.first(static_cast<std::size_t>(end - order.begin()));
+      insert_round(round);
+      order = order.subspan(round.size());
+    }
+  }
+
+  std::vector<std::uint32_t> hidden() {
+    std::vector<std::uint32_t> all;
+    for (const auto& worker : workers_) {
+      all.insert(all.end(), worker->hidden.begin(), worker->hidden.end());
+      worker->region.supply().close();
+    }
+    return all;
+  }
+
+ private:
+  using Region = ConflictRegion<A, D>;
+  using Outcome = typename Region::Outcome;
+  using Numbers = std::span<const std::uint32_t>;
+
+  // What a thread has for itself.
+  struct Worker {
+    Worker(CellStore<A>& cells, const Sites<D>& sites) : region(cells, sites) {}
+    Region region;
+    std::uint32_t cell = 0;  // where the next walk begins
+    std::vector<std::uint32_t> hidden, postponed;
+    std::vector<std::uint32_t> hints;  // see find_hints
+  };
+
+  // Sites that a thread must have to make up for its part of the postponed.
+  static constexpr std::size_t kLeastShare = 4096;
+  static constexpr std::size_t kHintStride = 16;
+  static constexpr std::uint32_t kNoHint = std::numeric_limits<std::uint32_t>::max();
+
+  void add_worker() { workers_.push_back(std::make_unique<Worker>(cells_, sites_)); }
+
+  void insert_round(Numbers round) {
+    const auto count_for = [&](Numbers sites) -> std::size_t {
+      return A == 1 ? 1 : threads_.for_work(sites.size(), kLeastShare).count();
+    };
+    std::vector<std::uint32_t> left;
+    if (const std::size_t count = count_for(round); count > 1) {
+      left = insert_together(round, parts_of_curve(round, count));
+      // What is near the borders, with borders in other places.
+      for (int pass = 0; pass < D && count_for(left) > 1; ++pass) {
+        left = insert_together(left, slabs(left, count_for(left)));
+      }
+      round = left;
+    }
+    work_alone(round);
+  }
+
+  // So many territories with equal numbers of the sites, by the numbers of the vertices.
+  std::vector<Territory<D>> parts_of_curve(Numbers sites, std::size_t count) const {
+    std::vector<Territory<D>> parts;
+    std::uint32_t begin = 0;
+    for (std::size_t part = 1; part <= count; ++part) {
+      const std::uint32_t end =
+          part == count ? cells_.infinity() : sites[part * sites.size() / count];
+      parts.push_back(Territory<D>::of_numbers(begin, end, cells_.infinity()));
+      begin = end;
+    }
+    return parts;
+  }
+
+  // The same between planes across the axis along which the sites spread most.
+  std::vector<Territory<D>> slabs(Numbers sites, std::size_t count) const {
+    constexpr std::size_t kSample = 4096;
+    std::vector<double> widest;
+    double largest = -1.0;
+    std::size_t axis = 0;
+    for (std::size_t a = 0; a < D; ++a) {
+      std::vector<double> x;
+      for (std::size_t i = 0; i < sites.size(); i += sites.size() / kSample + 1) {
+        x.push_back(sites_[sites[i]].x[a]);
+      }
+      std::sort(x.begin(), x.end());
+      const double middle_half = x[3 * x.size() / 4] - x[x.size() / 4];
+      if (middle_half <= largest) continue;
+      largest = middle_half;
+      axis = a;
+      widest = std::move(x);
+    }
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    std::vector<Territory<D>> parts;
+    double low = -kFar;
+    for (std::size_t part = 1; part <= count; ++part) {
+      const double high = part == count ? kFar : widest[part * widest.size() / count];
+      parts.push_back(Territory<D>::of_slab(sites_, axis, low, high, cells_.infinity()));
+      low = high;
+    }
+    return parts;
+  }
+
+  // Inserts what of `sites` lies within the territories. Returns what is left, ascending.
+  std::vector<std::uint32_t> insert_together(Numbers sites,
+                                             const std::vector<Territory<D>>& territories) {
+    while (workers_.size() < territories.size()) add_worker();
+    std::vector<std::vector<std::uint32_t>> shares(territories.size());
+    std::vector<std::uint32_t> left;
+    for (const std::uint32_t site : sites) {
+      std::size_t part = 0;
+      while (!territories[part].has(site)) ++part;
+      shares[part].push_back(site);
+    }
+    for (std::size_t part = 0; part < shares.size(); ++part) {
+      supply(*workers_[part], shares[part].size());
+    }
+    const std::uint32_t start = workers_[0]->cell;
+    parallel_for(threads_, shares.size(), [&](std::size_t part) {
+      find_hints(*workers_[part], shares[part], territories[part], start);
+    });
+    parallel_for(threads_, shares.size(),
+                 [&](std::size_t part) { work(*workers_[part], shares[part], territories[part]); });
+    if (cells_.is_dead(cells_[start])) workers_[0]->cell = any_cell();
+    for (std::size_t part = 0; part < shares.size(); ++part) {
+      std::vector<std::uint32_t>& postponed = workers_[part]->postponed;
+      left.insert(left.end(), postponed.begin(), postponed.end());
+      postponed.clear();
+    }
+    std::sort(left.begin(), left.end());
+    inserted_ += sites.size() - left.size();
+    return left;
+  }
+
+  // As many cells as so many sites will probably need.
+  void supply(Worker& worker, std::size_t sites) {
+    std::size_t used = cells_.size();
+    for (const auto& any : workers_) used -= any->region.supply().size();
+    const double wanted = 1.01 * static_cast<double>(used) / static_cast<double>(inserted_) *
+                              static_cast<double>(sites) +
+                          256.0;
+    const double lacking = wanted - static_cast<double>(worker.region.supply().size());
+    if (lacking > 0.0) worker.region.supply().add(static_cast<std::uint32_t>(lacking));
+  }
+
+  // For every kHintStride-th site a cell of the territory near by, kNoHint before the first that
+  // has one. Their places will always have cells of the territory, or dead ones.
+  void find_hints(Worker& worker, Numbers sites, const Territory<D>& territory,
+                  std::uint32_t start) const {
+    worker.hints.clear();
+    std::uint32_t cell = start, hint = kNoHint;
+    for (std::size_t i = 0; i < sites.size(); i += kHintStride) {
+      cell = location_.locate(sites[i], cell, Territory<D>::whole()).cell;
+      const auto& corners = cells_[cell].corners;
+      const auto is_own = [&](std::uint32_t corner) { return territory.has(corner); };
+      if (std::all_of(corners.begin(), corners.end(), is_own)) hint = cell;
+      worker.hints.push_back(hint);
+    }
+  }
+
+  // Inserts sites on one thread.
+  void work_alone(Numbers sites) {
+    const Territory<D> whole = Territory<D>::whole();
+    Worker& worker = *workers_[0];
+    for (const std::uint32_t site : sites) {
+      if (is_in_basis(site)) continue;
+      insert_at(worker, site, location_.locate(site, worker.cell, whole).cell, whole, true);
+    }
+    inserted_ += sites.size();
+  }
+  // Inserts sites in a territory. A walk that leaves it is taken up once more from the hint.
+  void work(Worker& worker, Numbers sites, const Territory<D>& territory) const {
+    bool is_lost = true;  // the last walk left the territory
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      if (is_in_basis(sites[i])) continue;
+      for (int attempt = is_lost ? 1 : 0; attempt < 2; ++attempt) {
+        is_lost = !(attempt == 0 || begin_at(worker, worker.hints[i / kHintStride]));
+        if (is_lost) break;
+        const auto [cell, is_found] = location_.locate(sites[i], worker.cell, territory);
+        worker.cell = cell;
+        is_lost = !is_found;
+        if (is_found) break;
+      }
+      if (is_lost || !insert_at(worker, sites[i], worker.cell, territory, false)) {
+        worker.postponed.push_back(sites[i]);
+      }
+    }
+  }
+  [[nodiscard]] bool begin_at(Worker& worker, std::uint32_t hint) const {
+    if (hint == kNoHint || cells_.is_dead(cells_[hint])) return false;
+    worker.cell = hint;
+    return true;
+  }
+
+  // False if the site is postponed.
+  bool insert_at(Worker& worker, std::uint32_t site, std::uint32_t cell,
+                 const Territory<D>& territory, bool may_grow) const {
+    const Outcome outcome = worker.region.insert(site, cell, territory, may_grow, worker.hidden);
+    worker.cell = outcome == Outcome::inserted ? worker.region.new_cell() : cell;
+    return outcome != Outcome::postponed;
+  }
+
+  // An own cell of a worker that is alive, or any.
+  [[nodiscard]] std::uint32_t any_cell() const {
+    for (const auto& worker : workers_) {
+      if (!cells_.is_dead(cells_[worker->cell])) return worker->cell;
+    }
+    std::uint32_t cell = 0;
+    while (cells_.is_dead(cells_[cell])) ++cell;
+    return cell;
+  }
+
+  [[nodiscard]] bool is_in_basis(std::uint32_t site) const {
+    return std::find(basis_.begin(), basis_.end(), site) != basis_.end();
+  }
+
+  CellStore<A>& cells_;
+  const Sites<D>& sites_;
+  std::span<const std::uint32_t> basis_;
+  Threads threads_;
+  PointLocation<A, D> location_;
+  std::size_t inserted_;
+  std::vector<std::unique_ptr<Worker>> workers_;
+};
+
+}  // namespace
+
+template <int A, int D>
+std::vector<std::uint32_t> insert_sites(CellStore<A>& cells, const Sites<D>& sites,
+                                        std::span<const std::uint32_t> order,
+                                        std::span<const std::uint32_t> basis, Threads threads) {
+  Insertion<A, D> insertion(cells, sites, basis, threads);
+  insertion.insert(order);
+  return insertion.hidden();
+}
+
+#define ORTHOBALL_INSERT(A, D)                                                           \
+  template std::vector<std::uint32_t> insert_sites<A, D>(CellStore<A>&, const Sites<D>&, \
+                                                         std::span<const std::uint32_t>, \
+                                                         std::span<const std::uint32_t>, Threads);
+ORTHOBALL_INSERT(1, 2)
+ORTHOBALL_INSERT(2, 2)
+ORTHOBALL_INSERT(1, 3)
+ORTHOBALL_INSERT(2, 3)
+ORTHOBALL_INSERT(3, 3)
+#undef ORTHOBALL_INSERT
+
+}  // namespace orthoball
