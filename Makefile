@@ -36,7 +36,7 @@ demo: build
 	@ls -l out
 
 test:
-	./bootstrap build test
+	./bootstrap build test peers
 	cmake --preset test
 	cmake --build --preset test --parallel $(JOBS)
 	ctest --preset test --parallel $(JOBS)
