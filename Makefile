@@ -4,9 +4,10 @@
 JOBS ?= $(shell nproc)
 SAMPLE ?= examples/data/bdna_dodecamer.pdb
 FUZZ_SECONDS ?= 60
+TSAN_TESTS ?= unit_orthoball unit_triangulation unit_filtration unit_topology unit_measures unit_signatures
 ORTHOBALL = build/release/orthoball
 
-.PHONY: help demo build test test-long bench bench-full bench-instructions sanitize fuzz tidy coverage format docs samples clean
+.PHONY: help demo build test test-long bench bench-full bench-instructions sanitize tsan fuzz tidy coverage format docs samples clean
 
 help:
 	@echo 'make demo       build the program and run it on $(SAMPLE), results in out/'
@@ -17,6 +18,7 @@ help:
 	@echo 'make bench-full the same with more inputs, larger ones and slower peers'
 	@echo 'make bench-instructions  compare counts of instructions with the stored ones'
 	@echo 'make sanitize   all tests under the address and undefined behaviour sanitizers'
+	@echo 'make tsan       what uses several threads under the thread sanitizer'
 	@echo 'make fuzz       every fuzz target for FUZZ_SECONDS ($(FUZZ_SECONDS)) seconds'
 	@echo 'make tidy       clang-tidy over everything that is compiled'
 	@echo 'make coverage   which lines the tests reach'
@@ -66,6 +68,13 @@ sanitize:
 	cmake --preset asan
 	cmake --build --preset asan --parallel $(JOBS)
 	ctest --preset asan --parallel $(JOBS)
+
+empty =
+tsan:
+	./bootstrap build test
+	cmake --preset tsan
+	cmake --build --preset tsan --parallel $(JOBS) --target $(TSAN_TESTS)
+	ctest --preset tsan --tests-regex '^($(subst $(empty) ,|,$(TSAN_TESTS)))$$'
 
 fuzz:
 	./bootstrap build test fuzz
