@@ -4,17 +4,21 @@
 JOBS ?= $(shell nproc)
 SAMPLE ?= examples/data/bdna_dodecamer.pdb
 FUZZ_SECONDS ?= 60
+TSAN_TESTS ?= unit_orthoball unit_triangulation unit_filtration unit_topology unit_measures unit_signatures
 ORTHOBALL = build/release/orthoball
 
-.PHONY: help demo build test test-long bench sanitize fuzz tidy coverage format docs samples clean
+.PHONY: help demo build test test-long bench bench-full bench-instructions sanitize tsan fuzz tidy coverage format docs samples clean
 
 help:
 	@echo 'make demo       build the program and run it on $(SAMPLE), results in out/'
 	@echo 'make test       build everything and run all tests'
 	@echo 'make test-long  the same with the long forms of the random tests'
 	@echo 'make build      build the program: $(ORTHOBALL)'
-	@echo 'make bench      compare with CGAL on the same inputs: time, ratio, peak memory'
+	@echo 'make bench      compare with CGAL and others on the same inputs: time, ratio, memory'
+	@echo 'make bench-full the same with more inputs, larger ones and slower peers'
+	@echo 'make bench-instructions  compare counts of instructions with the stored ones'
 	@echo 'make sanitize   all tests under the address and undefined behaviour sanitizers'
+	@echo 'make tsan       what uses several threads under the thread sanitizer'
 	@echo 'make fuzz       every fuzz target for FUZZ_SECONDS ($(FUZZ_SECONDS)) seconds'
 	@echo 'make tidy       clang-tidy over everything that is compiled'
 	@echo 'make coverage   which lines the tests reach'
@@ -36,7 +40,7 @@ demo: build
 	@ls -l out
 
 test:
-	./bootstrap build test
+	./bootstrap build test peers
 	cmake --preset test
 	cmake --build --preset test --parallel $(JOBS)
 	ctest --preset test --parallel $(JOBS)
@@ -48,13 +52,29 @@ bench:
 	./bootstrap build bench
 	cmake --preset bench
 	cmake --build --preset bench --parallel $(JOBS)
-	benchmarks/run build/bench
+	benchmarks/run build/bench $(BENCH_OPTIONS)
+
+bench-full: BENCH_OPTIONS = --full
+bench-full: bench
+
+bench-instructions:
+	./bootstrap build instructions
+	cmake --preset bench -D ORTHOBALL_PEERS=OFF -B build/instructions
+	cmake --build build/instructions --parallel $(JOBS) --target pipeline_orthoball
+	benchmarks/instructions build/instructions/pipeline_orthoball $(BENCH_OPTIONS)
 
 sanitize:
 	./bootstrap build test
 	cmake --preset asan
 	cmake --build --preset asan --parallel $(JOBS)
 	ctest --preset asan --parallel $(JOBS)
+
+empty =
+tsan:
+	./bootstrap build test
+	cmake --preset tsan
+	cmake --build --preset tsan --parallel $(JOBS) --target $(TSAN_TESTS)
+	ctest --preset tsan --tests-regex '^($(subst $(empty) ,|,$(TSAN_TESTS)))$$'
 
 fuzz:
 	./bootstrap build test fuzz

@@ -1,68 +1,117 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <sys/resource.h>
+#include <malloc.h>
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
+#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "generators/point_families.h"
+#include "benchmarks/inputs.h"
 #include "orthoball/points/weighted_points.h"
 
 namespace orthoball::benchmarks {
 
-/// One timed piece of work on a family of points, as the command line of a benchmark program names
-/// it: `WORK FAMILY DIMENSION COUNT`. The same arguments make the same input in every program.
+/// One timed piece of work on an input, as the command line of a benchmark program names it:
+/// `WORK FAMILY DIMENSION COUNT [THREADS]`. The same arguments make the same input in every
+/// program.
+///
+///   input          nothing: what a process costs before its work begins
+///   triangulation  from points to the cells of the regular triangulation
+///   filtration     from points to all simplices in exact order
+///   signatures     from points to all signatures with Betti numbers at every index
 struct Case {
-  std::string work;  ///< triangulation, or signatures: everything from points to all signatures
+  std::string work;
   WeightedPoints points;
+  unsigned threads = 1;
 };
 
-/// The case that the arguments name, its rows in random order.
 /// @throws std::invalid_argument for other arguments.
 inline Case case_of(int argc, char** argv) {
-  if (argc != 5) throw std::invalid_argument("usage: WORK FAMILY DIMENSION COUNT");
-  const int dimension = std::atoi(argv[3]);
-  const auto count = static_cast<std::size_t>(std::atoll(argv[4]));
-  constexpr std::uint64_t kSeed = 1;
-  for (const generators::PointFamily family : generators::point_families()) {
-    if (std::string(generators::name(family)) != argv[2]) continue;
-    const WeightedPoints points = generators::points_of(family, dimension, count, kSeed);
-    const std::vector<std::uint32_t> order = generators::random_permutation(count, kSeed);
-    return {argv[1], generators::with_rows(points, order)};
+  if (argc != 5 && argc != 6) {
+    throw std::invalid_argument("usage: WORK FAMILY DIMENSION COUNT [THREADS]");
   }
-  throw std::invalid_argument(std::string("no family ") + argv[2]);
+  return {argv[1],
+          input(argv[2], std::atoi(argv[3]), static_cast<std::size_t>(std::atoll(argv[4]))),
+          argc == 6 ? static_cast<unsigned>(std::atoi(argv[5])) : 1};
 }
 
-/// Seconds of processor time since it was made: all programs here have one thread, and busy
-/// neighbours do not count.
-class Stopwatch {
+/// The weight of a row as peers take it: in the units of the arrays, rounded where it is no double.
+inline double weight(const WeightedPoints& points, std::size_t row) {
+  if (points.weight_kind() == WeightKind::none) return 0.0;
+  const double number = points.weights()[row];
+  return points.weight_kind() == WeightKind::radius ? number * std::abs(number) : number;
+}
+
+/// A line such as `VmHWM:  1024 kB` of /proc/self/status, in megabytes; 0 where there is none.
+inline double status_megabytes(const std::string& name) {
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  double kilobytes = 0.0;
+  while (status >> word) {
+    if (word == name + ":" && status >> kilobytes) return kilobytes / 1024.0;
+  }
+  return 0.0;
+}
+
+/// Measures a work from where it is made to where it is asked: seconds of the processor (of all
+/// threads; busy neighbours do not count) and of the clock, and memory.
+class Meter {
  public:
+  Meter() {
+    malloc_trim(0);                               // of what the making of the input left
+    std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins here
+    start_megabytes_ = status_megabytes("VmRSS");
+    start_ = std::clock();
+    wall_start_ = Clock::now();
+  }
+
+  /// Ends a stage of the work: what its seconds are called in the report.
+  void stage(const std::string& name) { stages_.emplace_back(name, seconds()); }
+
+  /// The result as one line of JSON. `counts` are what programs must agree on where they have them
+  /// in common.
+  void report(const Case& task,
+              const std::vector<std::pair<std::string, std::size_t>>& counts) const {
+    const double seconds = this->seconds();
+    const double wall = std::chrono::duration<double>(Clock::now() - wall_start_).count();
+    const double peak = status_megabytes("VmHWM");
+    std::cout << "{\"seconds\": " << seconds << ", \"wall\": " << wall << ", \"peak_mb\": " << peak
+              << ", \"own_mb\": " << peak - start_megabytes_ << ", \"threads\": " << task.threads
+              << ", \"input\": \"" << fingerprint(task.points) << "\", \"stages\": {";
+    double before = 0.0;
+    for (const auto& [name, until] : stages_) {
+      std::cout << (before == 0.0 ? "" : ", ") << '"' << name << "\": " << until - before;
+      before = until;
+    }
+    std::cout << "}, \"counts\": {";
+    const char* comma = "";
+    for (const auto& [name, count] : counts) {
+      std::cout << comma << '"' << name << "\": " << count;
+      comma = ", ";
+    }
+    std::cout << "}}" << std::endl;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
   [[nodiscard]] double seconds() const {
     return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC;
   }
 
- private:
-  std::clock_t start_ = std::clock();
+  double start_megabytes_ = 0.0;
+  std::clock_t start_ = 0;
+  Clock::time_point wall_start_;
+  std::vector<std::pair<std::string, double>> stages_;
 };
-
-/// Largest resident memory of this process so far, in megabytes.
-inline double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-/// The result as one line of JSON. `result` is a count that peers must agree on.
-inline void report(double seconds, std::size_t result) {
-  std::cout << "{\"seconds\": " << seconds << ", \"peak_mb\": " << peak_megabytes()
-            << ", \"result\": " << result << "}" << std::endl;
-}
 
 }  // namespace orthoball::benchmarks

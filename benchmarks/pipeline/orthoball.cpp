@@ -6,6 +6,7 @@
 
 #include "benchmarks/case.h"
 #include "orthoball/filtration/filtration.h"
+#include "orthoball/parallel.h"
 #include "orthoball/signatures/signature.h"
 #include "orthoball/triangulation/build.h"
 
@@ -13,23 +14,64 @@ namespace {
 
 using namespace orthoball;
 
-// Number of cells; for the work `signatures` of all simplices.
+// Each stage with the threads it can use; those that know of one only take no argument.
+template <int D, class Points>
+auto triangulated(const Points& points, Threads threads) {
+  if constexpr (requires { regular_triangulation<D>(points, threads); }) {
+    return regular_triangulation<D>(points, threads);
+  } else {
+    return regular_triangulation<D>(points);
+  }
+}
+template <int D, class Triangulation>
+auto filtered(Triangulation triangulation, Threads threads) {
+  if constexpr (requires { Filtration<D>(std::move(triangulation), threads); }) {
+    return Filtration<D>(std::move(triangulation), threads);
+  } else {
+    return Filtration<D>(std::move(triangulation));
+  }
+}
+template <int D, class AnyFiltration, class Visit>
+void scan(const AnyFiltration& filtration, const Visit& visit, Threads threads) {
+  if constexpr (requires { scan_signatures<D>(filtration, visit, threads); }) {
+    scan_signatures<D>(filtration, visit, threads);
+  } else {
+    scan_signatures<D>(filtration, visit);
+  }
+}
+
 template <int D>
-std::size_t result(const benchmarks::Case& task) {
-  RegularTriangulation<D> triangulation = regular_triangulation<D>(task.points);
-  if (task.work == "triangulation") return triangulation.cell_count();
-  const Filtration<D> filtration(std::move(triangulation));
-  std::size_t last = 0;
-  scan_signatures<D>(filtration, [&](const Signature<D>& signature) { last = signature.index; });
-  if (last != filtration.spectrum_size()) throw std::logic_error("an index was left out");
-  return filtration.size();
+void run(const benchmarks::Case& task) {
+  const Threads threads(task.threads);
+  benchmarks::Meter meter;
+  if (task.work == "input") {
+    meter.report(task, {});
+    return;
+  }
+  RegularTriangulation<D> triangulation = triangulated<D>(task.points, threads);
+  meter.stage("triangulation");
+  const std::size_t cells = triangulation.cell_count(), vertices = triangulation.vertex_count();
+  if (task.work == "triangulation") {
+    meter.report(task, {{"cells", cells}, {"vertices", vertices}});
+    return;
+  }
+  const Filtration<D> filtration = filtered<D>(std::move(triangulation), threads);
+  meter.stage("filtration");
+  if (task.work == "signatures") {
+    std::size_t last = 0;
+    scan<D>(
+        filtration, [&](const Signature<D>& signature) { last = signature.index; }, threads);
+    if (last != filtration.spectrum_size()) throw std::logic_error("an index was left out");
+    meter.stage("signatures");
+  } else if (task.work != "filtration") {
+    throw std::invalid_argument("no work " + task.work);
+  }
+  meter.report(task, {{"cells", cells}, {"vertices", vertices}, {"simplices", filtration.size()}});
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   const benchmarks::Case task = benchmarks::case_of(argc, argv);
-  const benchmarks::Stopwatch watch;
-  const std::size_t count = task.points.dimension() == 2 ? result<2>(task) : result<3>(task);
-  benchmarks::report(watch.seconds(), count);
+  task.points.dimension() == 2 ? run<2>(task) : run<3>(task);
 }
