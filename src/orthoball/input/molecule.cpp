@@ -37,6 +37,7 @@ class Alternates {
       if (atom.alternate.empty()) continue;
       prefer(residues_, place(atom), {rank(atom), atom.residue});
     }
+    if (residues_.empty()) return;
     for (std::size_t i = 0; i < atoms.size(); ++i) {
       if (!atoms[i].alternate.empty() && holds_place(atoms[i])) {
         atoms_.try_emplace(identity(atoms[i]));

@@ -39,6 +39,11 @@ class Lines {
   [[nodiscard]] bool next(std::string_view& line);
   /// 1-based number of the line last returned.
   [[nodiscard]] std::size_t number() const { return number_; }
+  /// Passes over `count` lines, which end where `rest` begins; a tail of what rest() gave.
+  void skip(std::size_t count, std::string_view rest) {
+    at_ = text_.size() - rest.size();
+    number_ += count;
+  }
   /// What follows the line last returned and its end.
   [[nodiscard]] std::string_view rest() const { return text_.substr(std::min(at_, text_.size())); }
 

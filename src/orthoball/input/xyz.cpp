@@ -191,6 +191,8 @@ void read_frame(const Source& source, Lines& lines, std::size_t count, bool is_t
   AtomColumns columns;
   if (is_taken) columns = columns_of_comment(source, lines.number(), line, molecule.warnings);
   std::vector<std::string_view> words;
+  // No more than the bytes that follow can hold.
+  if (is_taken) molecule.atoms.reserve(std::min(count, lines.rest().size() / 8 + 1));
   for (std::size_t i = 0; i < count; ++i) {
     if (!lines.next(line) || trimmed(line).empty()) {
       throw ParseError(source.name, head,
