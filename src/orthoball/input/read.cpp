@@ -162,7 +162,7 @@ Reading read(const std::string& path, const ReadOptions& options) {
                    format_names());
   }
   const Format* format = options.format.empty() ? &format_of(path) : &format_named(options.format);
-  const Source source = read_source(path, options.limited);
+  const Source source = read_source(path, options.limited, options.memory);
   if (format->is_text) require_text(source);
   if (options.format.empty()) format = &format_of_content(*format, source.bytes);
   const bool has_columns =

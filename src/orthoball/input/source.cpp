@@ -78,7 +78,7 @@ void refuse_compressed(const std::string& name, std::string_view bytes) {
       name, 0, "larger than 1 GiB uncompressed; lift the limit with --no-limit if that is meant");
 }
 
-std::string all_bytes(const std::string& path, std::size_t limit) {
+std::string all_bytes(const std::string& path, std::size_t limit, const MemoryBudget& memory) {
   const auto fail = [&](const char* what) {
     throw ParseError(path, 0,
                      std::string(what) + ": " + std::generic_category().message(errno) +
@@ -94,6 +94,10 @@ std::string all_bytes(const std::string& path, std::size_t limit) {
   // What the file system says is a hint only: pipes say 0, and files grow.
   std::error_code no_size;
   const std::uintmax_t expected = std::filesystem::file_size(path, no_size);
+  if (!no_size && expected <= limit) {
+    // The bytes, and about as much again for the numbers in them.
+    memory.require(2 * expected, path + " of " + memory_text(expected));
+  }
   std::string bytes;
   std::size_t size = 0;
   std::size_t room =
@@ -165,8 +169,8 @@ std::size_t line_of(std::string_view text, std::size_t offset) {
 
 }  // namespace
 
-Source read_source(const std::string& path, bool limited) {
-  Source source{path, all_bytes(path, limited ? kLargestInput : kNoLimit)};
+Source read_source(const std::string& path, bool limited, const MemoryBudget& memory) {
+  Source source{path, all_bytes(path, limited ? kLargestInput : kNoLimit, memory)};
   refuse_compressed(path, source.bytes);
   if (has_bytes(source.bytes, 0, "\x1f\x8b")) {
     source.bytes = gunzipped(path, source.bytes, limited);

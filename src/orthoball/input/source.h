@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "orthoball/memory_budget.h"
+
 namespace orthoball {
 
 /// The bytes of one input, decompressed, with the name that messages use.
@@ -24,7 +26,9 @@ inline constexpr std::size_t kLargestCompressionRatio = 200;
 /// @throws ParseError if it cannot be opened or read, is truncated or corrupt gzip, or (when
 ///         `limited`) is larger than the limits above. Memory stays within a small multiple of the
 ///         limit, whatever the bytes claim.
-[[nodiscard]] Source read_source(const std::string& path, bool limited);
+/// @throws LimitError for a file that together with its points would be larger than `memory` allows.
+[[nodiscard]] Source read_source(const std::string& path, bool limited,
+                                 const MemoryBudget& memory = {});
 
 /// Refuses what is not a text: NUL bytes (with the line), UTF-16, PNG and other known signatures.
 /// Messages print no raw bytes.
