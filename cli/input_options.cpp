@@ -153,7 +153,7 @@ void add_input_options(CLI::App& command, InputOptions& options) {
       ->group(group);
   command
       .add_option("--threads", options.threads,
-                  "at most N threads (default: one for each core); results do not depend on it")
+                  "at most N threads (default: one for each core);\nresults do not depend on it")
       ->type_name("N")
       ->check(CLI::Range(1U, kMostThreads).description(""))
       ->group(group);
