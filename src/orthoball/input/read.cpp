@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -177,6 +178,9 @@ Reading read(const std::string& path, const ReadOptions& options) {
     refuse_options("atoms and their radii cannot be chosen in the format " +
                    std::string(format->name) + "; they are for molecules");
   }
+  // About as much again for the numbers; atoms keep their names, too.
+  const std::uint64_t each = format->is_molecule ? 8 : 1;
+  options.memory.require(each * source.bytes.size(), path + ": the points in it");
   Reading reading = format->reader(source, options);
   reading.file = path;
   reading.format = format->name;

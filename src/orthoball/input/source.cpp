@@ -22,6 +22,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::size_t kChunk = std::size_t{1} << 20U;
+constexpr std::size_t kLargestRatio = 1032;  // that deflate can reach
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max() / 2;
 
 struct Signature {
@@ -95,8 +96,7 @@ std::string all_bytes(const std::string& path, std::size_t limit, const MemoryBu
   std::error_code no_size;
   const std::uintmax_t expected = std::filesystem::file_size(path, no_size);
   if (!no_size && expected <= limit) {
-    // The bytes, and about as much again for the numbers in them.
-    memory.require(2 * expected, path + " of " + memory_text(expected));
+    memory.require(expected, path);
   }
   std::string bytes;
   std::size_t size = 0;
@@ -125,11 +125,21 @@ std::string gunzipped(const std::string& name, std::string_view packed, bool lim
   if (inflateInit2(&stream, 15 + 16) != Z_OK) throw LimitError("out of memory in zlib");
   const std::unique_ptr<z_stream, decltype(&inflateEnd)> guard(&stream, &inflateEnd);
 
+  // The last four bytes tell the size of the last member: of all, nearly always, or a lie.
+  std::size_t expected = 0;
+  for (std::size_t i = 1; i <= 4 && i <= packed.size(); ++i) {
+    expected = expected << 8U | static_cast<unsigned char>(packed[packed.size() - i]);
+  }
   std::string bytes;
+  if (expected <= kLargestRatio * packed.size()) bytes.reserve(std::min(expected, limit) + 1);
   std::size_t size = 0;
   int status = Z_OK;
   do {
-    if (size == bytes.size()) bytes.resize(std::min(std::max(kChunk, 2 * size), limit + 1));
+    if (size == bytes.size()) {
+      const std::size_t room =
+          std::max(kChunk, size + kChunk < bytes.capacity() ? size + kChunk : 2 * size);
+      bytes.resize(std::min(room, limit + 1));
+    }
     if (status == Z_STREAM_END) inflateReset(&stream);
     const auto input = static_cast<uInt>(std::min<std::size_t>(packed.size(), kLargestInput));
     const auto room = static_cast<uInt>(std::min(bytes.size() - size, kLargestInput));

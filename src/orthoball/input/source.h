@@ -26,7 +26,7 @@ inline constexpr std::size_t kLargestCompressionRatio = 200;
 /// @throws ParseError if it cannot be opened or read, is truncated or corrupt gzip, or (when
 ///         `limited`) is larger than the limits above. Memory stays within a small multiple of the
 ///         limit, whatever the bytes claim.
-/// @throws LimitError for a file that is with its points larger than `memory` allows.
+/// @throws LimitError for a file that is larger than `memory` allows.
 [[nodiscard]] Source read_source(const std::string& path, bool limited,
                                  const MemoryBudget& memory = {});
 
