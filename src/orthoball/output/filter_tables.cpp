@@ -113,22 +113,20 @@ template <int D>
 void write_filter_npz(ByteSink& sink, const Filtration<D>& filtration, std::size_t count) {
   const std::vector<SimplexId> simplices = first_in_filter(filtration, count);
   NpzWriter archive(sink);
-  // One array at a time, or those that are found together: all of them would be as large as the
-  // filtration.
-  const auto add = [&](std::string_view name, auto type, const auto& value_of) {
-    std::vector<decltype(type)> values;
-    values.reserve(count);
-    for (const SimplexId simplex : simplices) values.push_back(value_of(simplex));
-    archive.add<decltype(type)>(name, std::array{count}, values);
-  };
-  add("dimension", std::uint8_t{},
-      [&](SimplexId s) { return static_cast<std::uint8_t>(filtration.dimension(s)); });
-  std::vector<std::uint32_t> regular, interior;
+  // Only those arrays at once that are found together: all would be as large as the filtration.
+  {
+    std::vector<std::uint8_t> dimensions;
+    dimensions.reserve(count);
+    for (const SimplexId simplex : simplices) {
+      dimensions.push_back(static_cast<std::uint8_t>(filtration.dimension(simplex)));
+    }
+    archive.add<std::uint8_t>("dimension", std::array{count}, dimensions);
+  }
+  std::vector<std::uint32_t> enters, regular, interior;
   {
     std::vector<std::uint32_t> vertices;
     vertices.reserve(count * (D + 1));
-    regular.reserve(count);
-    interior.reserve(count);
+    for (auto* const indices : {&enters, &regular, &interior}) indices->reserve(count);
     const auto index_or_0 = [&](std::uint32_t index) {
       return index == filtration.never() ? 0U : index;
     };
@@ -138,14 +136,20 @@ void write_filter_npz(ByteSink& sink, const Filtration<D>& filtration, std::size
           vertices.push_back(i <= line.dimension ? line.rows[i]
                                                  : std::numeric_limits<std::uint32_t>::max());
         }
+        enters.push_back(line.enters);
         regular.push_back(index_or_0(line.regular));
         interior.push_back(index_or_0(line.interior));
       }
     });
     archive.add<std::uint32_t>("vertices", std::array{count, std::size_t{D + 1}}, vertices);
   }
-  add("alpha2", double{}, [&](SimplexId s) { return filtration.alpha2(filtration.enters(s)); });
-  add("enters", std::uint32_t{}, [&](SimplexId s) { return filtration.enters(s); });
+  {
+    std::vector<double> alpha2;
+    alpha2.reserve(count);
+    for (const std::uint32_t index : enters) alpha2.push_back(filtration.alpha2(index));
+    archive.add<double>("alpha2", std::array{count}, alpha2);
+  }
+  archive.add<std::uint32_t>("enters", std::array{count}, enters);
   archive.add<std::uint32_t>("regular", std::array{count}, regular);
   archive.add<std::uint32_t>("interior", std::array{count}, interior);
   archive.add<double>("spectrum", std::array{filtration.spectrum().size()}, filtration.spectrum());
