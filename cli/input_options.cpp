@@ -2,19 +2,28 @@
 #include "cli/input_options.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <map>
+#include <new>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "orthoball/error.h"
+#include "orthoball/input/decimal.h"
 
 namespace {
 
 const std::map<std::string, ProgressMode> kProgressModes{{"auto", ProgressMode::automatic},
                                                          {"never", ProgressMode::never},
                                                          {"always", ProgressMode::always}};
+
+constexpr unsigned kMostThreads = 1024;
 
 std::string joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, ", "));
@@ -82,6 +91,36 @@ void add_molecule_options(CLI::App& command, InputOptions& options) {
   keep_or_drop("--waters", options.waters, "water molecules");
 }
 
+// "1.5G", "500 MB", "3000KiB" or "1000" as a number of bytes: 1 K is 1024.
+const CLI::Validator kAsBytes(
+    [](std::string& text) -> std::string {
+      const std::size_t behind = std::min(text.find_first_not_of("0123456789."), text.size());
+      const orthoball::DecimalParse number = orthoball::parse_decimal(text.substr(0, behind));
+      std::string unit = text.substr(std::min(text.find_first_not_of(' ', behind), text.size()));
+      for (char& c : unit) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+      constexpr std::string_view kUnits = "BKMGT";
+      const std::size_t power = unit.empty() ? 0 : kUnits.find(unit[0]);
+      const bool has_end = unit.size() <= 1 || unit.substr(1) == "B" || unit.substr(1) == "IB";
+      const double bytes = number.number.nearest * std::exp2(10.0 * static_cast<double>(power));
+      if (number.fault != orthoball::DecimalFault::none || power == std::string_view::npos ||
+          !has_end || !(bytes < 0x1p63)) {
+        return "\"" + text + "\" is no size; 500M or 16G are";
+      }
+      text = fmt::format("{}", static_cast<std::uint64_t>(bytes));
+      return {};
+    },
+    "");
+
+// What `work` gives; says at what the memory ran out.
+template <class Work>
+auto within_memory(const std::string& path, const Progress& progress, const Work& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    throw orthoball::LimitError(path + ": out of memory during " + progress.stage());
+  }
+}
+
 }  // namespace
 
 void add_input_options(CLI::App& command, InputOptions& options) {
@@ -112,9 +151,18 @@ void add_input_options(CLI::App& command, InputOptions& options) {
       .add_flag("--no-limit", options.no_limit,
                 "also inputs over 1 GiB, or compressed by more than 200")
       ->group(group);
-  command.add_option("--threads", options.threads, "at most N threads; this version uses one")
+  command
+      .add_option("--threads", options.threads,
+                  "at most N threads (default: one for each core);\nresults do not depend on it")
       ->type_name("N")
-      ->check(CLI::PositiveNumber.description(""))
+      ->check(CLI::Range(1U, kMostThreads).description(""))
+      ->group(group);
+  command
+      .add_option("--memory-limit", options.memory_limit,
+                  "most memory to take, such as 500M or 16G (default: what the system has);\n"
+                  "more is refused before it is taken, by an estimate")
+      ->type_name("SIZE")
+      ->transform(kAsBytes)
       ->group(group);
   add_table_options(command, options);
   add_molecule_options(command, options);
@@ -138,9 +186,14 @@ Loaded load(const InputOptions& options, Progress& progress, bool says_notes) {
   read.molecule.waters = options.waters == "keep";
   read.limited = !options.no_limit;
 
-  progress.begin("reading");
-  orthoball::Reading reading = orthoball::read(options.path, read);
+  read.memory = memory_of(options);
+
+  progress.expect_file(options.path);
+  progress.begin(Stage::reading);
+  orthoball::Reading reading =
+      within_memory(options.path, progress, [&] { return orthoball::read(options.path, read); });
   progress.end();
+  progress.expect_sites(reading.points.size(), reading.points.dimension());
   if (says_notes) {
     if (reading.points.weight_kind() != orthoball::WeightKind::none) {
       say(options, "radii: " + reading.radii);
@@ -151,15 +204,39 @@ Loaded load(const InputOptions& options, Progress& progress, bool says_notes) {
 
   orthoball::WeightedPoints points = std::move(reading.points);
   reading.points = orthoball::WeightedPoints(points.dimension());
-  orthoball::AlphaShapes shapes(std::move(points), [&](orthoball::BuildStage stage) {
-    progress.begin(stage == orthoball::BuildStage::triangulation ? "triangulation" : "filtration");
-  });
+  const orthoball::BuildOptions build{
+      .threads = threads_of(options),
+      .on_stage =
+          [&](orthoball::BuildStage stage) {
+            progress.begin(stage == orthoball::BuildStage::triangulation ? Stage::triangulation
+                                                                         : Stage::filtration);
+          },
+      .memory = memory_of(options)};
+  orthoball::AlphaShapes shapes = within_memory(
+      options.path, progress, [&] { return orthoball::AlphaShapes(std::move(points), build); });
   progress.end();
   return {std::move(reading), std::move(shapes)};
 }
 
+orthoball::Threads threads_of(const InputOptions& options) {
+  return options.threads ? orthoball::Threads(*options.threads) : orthoball::Threads();
+}
+
+orthoball::MemoryBudget memory_of(const InputOptions& options) {
+  return options.memory_limit ? orthoball::MemoryBudget(*options.memory_limit)
+                              : orthoball::MemoryBudget();
+}
+
+void require_memory(const InputOptions& options, std::uint64_t bytes, const std::string& work) {
+  memory_of(options).require(bytes, options.path + ": " + work);
+}
+
 void say(const InputOptions& options, const std::string& text) {
-  if (!options.quiet) fmt::print(stderr, "orthoball: {}\n", text);
+  if (options.quiet) return;
+  // A line of progress may stand where this one begins.
+  const bool is_terminal =
+      options.progress == ProgressMode::automatic && isatty(STDERR_FILENO) == 1;
+  fmt::print(stderr, "{}orthoball: {}\n", is_terminal ? "\r\033[K" : "", text);
 }
 
 void warn_of_missing(const InputOptions& options, std::size_t count, const std::string& shown) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "cli/progress.h"
@@ -14,7 +16,8 @@ struct InputOptions {
   orthoball::ReadOptions read;
   ProgressMode progress = ProgressMode::automatic;
   bool quiet = false;
-  unsigned threads = 1;  // an upper bound
+  std::optional<unsigned> threads;            // an upper bound; none: one for each core
+  std::optional<std::uint64_t> memory_limit;  // bytes; none: what the system has
 
   // As typed, made into `read` by load().
   std::string columns, chains, default_radius, hydrogens = "keep", ligands = "keep",
@@ -34,10 +37,19 @@ struct Loaded {
   [[nodiscard]] std::string unit() const { return reading.is_molecule ? "Å" : ""; }
 };
 
+/// What --threads and --memory-limit allow.
+[[nodiscard]] orthoball::Threads threads_of(const InputOptions& options);
+[[nodiscard]] orthoball::MemoryBudget memory_of(const InputOptions& options);
+
 /// Reads the input and builds its shapes; says on standard error which radii were taken and what
 /// the reader noted.
+/// @throws orthoball::LimitError where the memory is not enough.
 /// @param says_notes  false for commands that print them among their data.
 [[nodiscard]] Loaded load(const InputOptions& options, Progress& progress, bool says_notes = true);
+
+/// Before work on an input that takes `bytes` more.
+/// @throws orthoball::LimitError that names the input and `work` where the memory is not enough.
+void require_memory(const InputOptions& options, std::uint64_t bytes, const std::string& work);
 
 /// One line on standard error, unless --quiet: "orthoball: TEXT".
 void say(const InputOptions& options, const std::string& text);

@@ -30,18 +30,23 @@ std::string format_of(const FilterOptions& options) {
 
 void run(const FilterOptions& options) {
   check(options.alpha, false);
-  Progress progress(options.input.progress, options.input.quiet);
+  Progress progress(
+      options.input.progress, options.input.quiet,
+      {Stage::reading, Stage::triangulation, Stage::filtration, Stage::writing_filter});
   const Loaded input = load(options.input, progress);
   const auto chosen = chosen_alphas(options.alpha, input);
   say_how(options.input, chosen);
   const std::string format = format_of(options);
-  progress.begin("writing");
+  progress.begin(Stage::writing_filter);
   const std::size_t missing =
       write_output(options.output, format == "json" ? "null" : "", [&](orthoball::ByteSink& sink) {
         std::visit(
             [&](const auto& filtration) {
               const std::size_t count =
                   chosen.empty() ? filtration.size() : filtration.complex_size(chosen[0].index);
+              // The order by rows, and the longest arrays of an archive.
+              require_memory(options.input, (format == "npz" ? 32 : 8) * std::uint64_t{count},
+                             "the table");
               if (format == "csv") write_filter_csv(sink, filtration, count);
               if (format == "json") write_filter_json_lines(sink, filtration, count);
               if (format == "npz") write_filter_npz(sink, filtration, count);

@@ -125,14 +125,16 @@ void run(const ShapeOptions& options) {
     throw UsageError("shape --json: the report goes to standard output; the shape needs -o FILE");
   }
   check(options.alpha, false);
-  Progress progress(options.input.progress, options.input.quiet);
+  Progress progress(
+      options.input.progress, options.input.quiet,
+      {Stage::reading, Stage::triangulation, Stage::filtration, Stage::writing_shape});
   const Loaded input = load(options.input, progress);
   check_dimension(format, input.shapes.dimension());
   const auto given = chosen_alphas(options.alpha, input);
   const ChosenAlpha alpha = given.empty() ? automatic_alpha(input) : given[0];
   say_how(options.input, {alpha});
 
-  progress.begin("writing");
+  progress.begin(Stage::writing_shape);
   const orthoball::ShapeMesh mesh = std::visit(
       [&](const auto& filtration) {
         return shape_mesh(filtration, input.shapes.points(), alpha.index, options.regularized);

@@ -128,18 +128,24 @@ void write_plot(const SignaturesOptions& options, const Loaded& input,
 }
 
 template <int D>
-void write_table(const SignaturesOptions& options, const Loaded& input,
+void write_table(const SignaturesOptions& options, const Loaded& input, Progress& progress,
                  const orthoball::Filtration<D>& filtration) {
   const bool is_complete = !options.alpha.is_given() && !options.samples;
   const std::vector<ChosenAlpha> asked = asked_for(options, input, filtration.spectrum_size());
   say_how(options.input, asked);
   const std::string format = format_of(options);
+  if (format == "npz" && is_complete) {
+    require_memory(options.input,
+                   sizeof(orthoball::SignatureRow<D>) * std::uint64_t{filtration.spectrum_size()},
+                   "the table");
+  }
   const std::size_t missing =
       write_output(options.output, format == "json" ? "null" : "", [&](orthoball::ByteSink& sink) {
         Table<D> table(sink, format);
         if (is_complete) {
           orthoball::scan_signatures<D>(filtration, [&](const orthoball::Signature<D>& s) {
             table.add({s, orthoball::alpha_from_alpha2(s.alpha2)});
+            progress.reach(s.index, filtration.spectrum_size());
           });
         } else {
           std::vector<std::uint32_t> indices;
@@ -166,13 +172,16 @@ void run(const SignaturesOptions& options) {
   }
   check(options.alpha, true);
   (void)range_from_text(options.plot_range);
-  Progress progress(options.input.progress, options.input.quiet);
+  Progress progress(options.input.progress, options.input.quiet,
+                    {Stage::reading, Stage::triangulation, Stage::filtration, Stage::signatures});
   const Loaded input = load(options.input, progress);
-  progress.begin("signatures");
+  progress.begin(Stage::signatures);
   std::visit(
       [&](const auto& filtration) {
+        require_memory(options.input, orthoball::signature_memory(filtration.size()),
+                       "the signatures");
         if (!options.plot.empty()) write_plot(options, input, filtration);
-        write_table(options, input, filtration);
+        write_table(options, input, progress, filtration);
       },
       input.shapes.filtration());
   progress.end();

@@ -251,13 +251,16 @@ std::string text_report(const Loaded& input, const orthoball::Filtration<D>& fil
 
 void run(const SummaryOptions& options) {
   check(options.alpha, true);
-  Progress progress(options.input.progress, options.input.quiet);
+  Progress progress(options.input.progress, options.input.quiet,
+                    {Stage::reading, Stage::triangulation, Stage::filtration, Stage::signatures});
   const Loaded input = load(options.input, progress, false);
-  progress.begin("signatures");
+  progress.begin(Stage::signatures);
   std::size_t missing = 0;
   const bool is_json = options.json || options.format == "json";
   const std::string report = std::visit(
       [&]<int D>(const orthoball::Filtration<D>& filtration) {
+        require_memory(options.input, orthoball::signature_memory(filtration.size()),
+                       "the signatures");
         std::vector<ChosenAlpha> asked = chosen_alphas(options.alpha, input);
         say_how(options.input, asked);
         const Facts<D> known = facts(filtration, std::move(asked));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "orthoball/alpha_shapes.h"
 
+#include <string>
 #include <utility>
 
 #include "orthoball/triangulation/build.h"
@@ -9,21 +10,30 @@ namespace orthoball {
 namespace {
 
 template <int D>
-Filtration<D> filtration_of(const WeightedPoints& points, const BuildObserver& on_stage) {
-  if (on_stage) on_stage(BuildStage::triangulation);
+Filtration<D> filtration_of(const WeightedPoints& points, const BuildOptions& options) {
+  const auto tell = [&](BuildStage stage) {
+    if (options.on_stage) options.on_stage(stage);
+  };
+  const std::string sites = std::to_string(points.size()) + " sites";
+  tell(BuildStage::triangulation);
+  options.memory.require(alpha_shapes_memory(D, points.size()),
+                         "the triangulation and filtration of " + sites);
   RegularTriangulation<D> triangulation = regular_triangulation<D>(points);
-  if (on_stage) on_stage(BuildStage::filtration);
+  tell(BuildStage::filtration);
+  const std::size_t cells = triangulation.cell_count();
+  options.memory.require(filtration_memory(D, points.size(), cells),
+                         "the filtration of " + sites + " in " + std::to_string(cells) + " cells");
   return Filtration<D>(std::move(triangulation));
 }
 
 }  // namespace
 
-AlphaShapes::AlphaShapes(WeightedPoints points, const BuildObserver& on_stage)
+AlphaShapes::AlphaShapes(WeightedPoints points, const BuildOptions& options)
     : points_(std::move(points)) {
   if (points_.dimension() == 2) {
-    filtration_ = filtration_of<2>(points_, on_stage);
+    filtration_ = filtration_of<2>(points_, options);
   } else {
-    filtration_ = filtration_of<3>(points_, on_stage);
+    filtration_ = filtration_of<3>(points_, options);
   }
 }
 

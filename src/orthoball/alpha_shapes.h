@@ -5,6 +5,8 @@
 #include <variant>
 
 #include "orthoball/filtration/filtration.h"
+#include "orthoball/memory_budget.h"
+#include "orthoball/parallel.h"
 #include "orthoball/points/weighted_points.h"
 
 namespace orthoball {
@@ -15,6 +17,13 @@ enum class BuildStage { triangulation, filtration };
 /// Told which part begins, for showing progress.
 using BuildObserver = std::function<void(BuildStage)>;
 
+/// How an AlphaShapes is built. What it becomes does not depend on it.
+struct BuildOptions {
+  Threads threads{};         ///< at most so many; by default one for each core
+  BuildObserver on_stage{};  ///< called at the begin of each part; may be empty
+  MemoryBudget memory{};     ///< by default what the system has
+};
+
 /// All alpha shapes of weighted points in the plane or in space: the one object whose dimension is
 /// known at run time only. Command line, Python and viewer hold it.
 ///
@@ -22,8 +31,9 @@ using BuildObserver = std::function<void(BuildStage)>;
 class AlphaShapes {
  public:
   /// Triangulates and orders. Memory at most 1 KB a site in space.
-  /// @throws LimitError for more simplices than can be numbered.
-  explicit AlphaShapes(WeightedPoints points, const BuildObserver& on_stage = {});
+  /// @throws LimitError for more simplices than can be numbered; for more memory than there is, by
+  ///         an estimate before the work and by a closer one once the cells are known.
+  explicit AlphaShapes(WeightedPoints points, const BuildOptions& options = {});
 
   [[nodiscard]] const WeightedPoints& points() const { return points_; }
   [[nodiscard]] int dimension() const { return points_.dimension(); }

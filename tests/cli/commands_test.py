@@ -12,11 +12,13 @@ import json
 import math
 import os
 import pathlib
+import pty
 import resource
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import zipfile
 
@@ -65,6 +67,12 @@ class ExitStatuses(InAFolder):
             [],
             ["no_such_command"],
             ["summary", C60, "--threads", "0"],
+            ["summary", C60, "--threads", "2000"],
+            ["summary", C60, "--threads", "some"],
+            ["summary", C60, "--memory-limit", "-1"],
+            ["summary", C60, "--memory-limit", "1e9"],
+            ["summary", C60, "--memory-limit", "99999999T"],
+            ["summary", C60, "--memory-limit", "many"],
             ["summary"],
             ["summary", C60, "--no-such-option"],
             ["summary", C60, "--dimension", "4"],
@@ -103,6 +111,29 @@ class ExitStatuses(InAFolder):
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1024, 1024))
         self.assertIn("filter.csv", self.refused(3, "filter", C60, "-o", output, preexec_fn=limit))
         self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_too_little_memory_is_3_and_says_how_much_is_needed(self):
+        text = self.refused(3, "summary", C60, "--memory-limit", "1000")
+        self.assertRegex(text, r"about .+ of memory needed, .+ of the limit of 1000 bytes")
+        self.assertIn("--memory-limit", text)
+        output = self.folder / "filter.csv"
+        self.refused(3, "filter", C60, "-o", output, "--memory-limit", "1M")
+        self.assertEqual(list(self.folder.iterdir()), [])
+        for size in ["2G", "2g", "2GiB", "2000 MB", "4.5T", "3000000000", "3000000000B"]:
+            self.done("summary", C60, "--memory-limit", size)
+
+    def test_memory_that_the_system_refuses_is_3(self):
+        points = self.file("points.csv", "".join(f"{i},{i * i % 1009},{i * i % 10007}\n"
+                                                 for i in range(120000)))
+        # More than the program itself takes, less than the points do.
+        def limited():
+            size = 100 << 20
+            resource.setrlimit(resource.RLIMIT_AS, (size, size))
+
+        self.assertIn("limit of the address space", self.refused(3, "summary", points,
+                                                                 preexec_fn=limited))
+        text = self.refused(3, "summary", points, "--memory-limit", "8G", preexec_fn=limited)
+        self.assertRegex(text, r"points.csv: out of memory during \w+")
 
     def test_bad_data_is_1_and_names_file_and_line(self):
         path = self.file("points.csv", "x,y,z\n1,2,3\n1,two,3\n")
@@ -194,6 +225,39 @@ class Streams(InAFolder):
         self.assertIn("radii: bondi", self.done("filter", C60).stderr)
         self.assertEqual(self.done("filter", C60, "--quiet").stderr, "")
         self.assertEqual(self.done("summary", C60).stderr, "")
+
+    def test_results_do_not_depend_on_threads(self):
+        one = self.done("filter", C60, "--threads", "1").stdout
+        self.assertEqual(self.done("filter", C60, "--threads", "3").stdout, one)
+        self.assertEqual(self.done("filter", C60).stdout, one)
+
+    def on_a_terminal(self, *arguments, pause=0.0):
+        """What is drawn on a terminal by a program whose input comes after a pause."""
+        terminal, inside = pty.openpty()
+        with subprocess.Popen([PROGRAM, *map(str, arguments)], stdin=subprocess.PIPE,
+                              stdout=subprocess.DEVNULL, stderr=inside) as process:
+            os.close(inside)
+            time.sleep(pause)
+            process.stdin.write(b"0 0 0\n1 0 0\n0 1 0\n")
+            process.stdin.close()
+            text = b""
+            while True:
+                try:
+                    text += os.read(terminal, 4096)
+                except OSError:  # the program has gone
+                    break
+        os.close(terminal)
+        self.assertEqual(process.returncode, 0)
+        return text.decode()
+
+    def test_progress_is_drawn_on_a_terminal_when_work_takes_longer_than_a_second(self):
+        table = ["filter", "-", "--input-format", "table"]
+        self.assertEqual(self.on_a_terminal(*table), "")
+        drawn = self.on_a_terminal(*table, pause=1.6)
+        self.assertTrue(drawn.startswith("\r\033[Kreading"), drawn)
+        self.assertTrue(drawn.endswith("\r\033[K"), drawn)
+        self.assertEqual(self.on_a_terminal(*table, "--progress", "never", pause=1.2), "")
+        self.assertEqual(self.on_a_terminal(*table, "--quiet", pause=1.2), "")
 
     def test_progress_tells_the_stages(self):
         stages = self.done("signatures", C60, "--progress", "always").stderr

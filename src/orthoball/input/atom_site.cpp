@@ -218,9 +218,11 @@ std::string_view AtomSiteReader::text(Column first, Column second) const {
 DecimalNumber AtomSiteReader::coordinate(std::size_t axis) const {
   const Column column = (is_fractional_ ? Column::fractional_x : Column::cartesian_x) + axis;
   const CifValue& value = at(column);
-  return number_at(source_, value.line,
-                   value.text.empty() ? value.written : without_uncertainty(value.text),
-                   item_name(column, is_core_));
+  const std::string_view text =
+      value.text.empty() ? value.written : without_uncertainty(value.text);
+  const DecimalParse parse = parse_decimal(text);
+  if (parse.fault == DecimalFault::none) return parse.number;
+  return number_at(source_, value.line, text, item_name(column, is_core_));
 }
 
 int AtomSiteReader::model() const {

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "orthoball/input/columns.h"
@@ -35,6 +38,13 @@ enum class NumberType {
 /// An unsigned little-endian number of `size` <= 8 bytes.
 [[nodiscard]] std::uint64_t unsigned_from_bytes(const char* bytes, std::size_t size);
 
+/// Numbers of one type at equal distances.
+struct BinaryColumn {
+  std::size_t first = 0;   ///< offset of the first one from the begin of the file, in bytes
+  std::size_t stride = 0;  ///< from each to the next, in bytes
+  NumberType type = NumberType::float64;
+};
+
 /// Collects the rows of a binary file as the doubles they are.
 class BinaryRows {
  public:
@@ -47,10 +57,18 @@ class BinaryRows {
   /// @throws ParseError for a number that is not finite.
   void add(std::span<const double> row, std::size_t offset);
 
+  /// Adds many rows at once, of which the file must hold all bytes.
+  /// @param column_at  where a column is, by its 0-based number.
+  /// @throws ParseError for a number that is not finite, the first such row by row.
+  void add_columns(std::size_t rows, bool is_big_endian,
+                   const std::function<BinaryColumn(std::size_t column)>& column_at);
+
   /// All but `file` and `format`. Takes the rows with it.
   [[nodiscard]] Reading reading() &&;
 
  private:
+  [[nodiscard]] double checked(double number, std::size_t offset, std::size_t column) const;
+
   const Source& source_;
   Columns columns_;
   std::vector<double> coordinates_;  // [dimension * row + axis]

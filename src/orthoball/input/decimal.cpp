@@ -89,6 +89,23 @@ double nearest_double(Int128 digits, int exponent) {
   return digits < 0 ? -value : value;
 }
 
+// The same number in the other form; `text` is how it is written.
+DecimalNumber number_of(const ShortDecimal& number, std::string_view text) {
+  if (number.digits == 0) return {};
+  std::int64_t digits = number.digits;
+  int exponent = -number.decimals;
+  for (; digits % 10 == 0; digits /= 10) ++exponent;
+  const Int128 magnitude = digits < 0 ? -digits : digits;
+  double nearest = 0.0;
+  if (is_one_operation(magnitude, exponent)) {
+    nearest = by_one_operation(magnitude, exponent);
+  } else {
+    if (text.front() == '-' || text.front() == '+') text.remove_prefix(1);
+    nearest = nearest_of_text(text);
+  }
+  return {digits < 0 ? -nearest : nearest, exponent, true, digits};
+}
+
 // Digits of more than 19 figures: `text` holds figures and at most one point. Leading zeros do
 // not count, `trailing` zeros are left out. False where more than 38 figures remain.
 bool long_digits(std::string_view text, Int128& digits, std::int64_t& trailing) {
@@ -111,6 +128,10 @@ bool long_digits(std::string_view text, Int128& digits, std::int64_t& trailing) 
 }  // namespace
 
 DecimalParse parse_decimal(std::string_view text) {
+  if (ShortDecimal number; parse_short_decimal(text.data(), text.data() + text.size(), number) ==
+                           text.data() + text.size()) {
+    return {number_of(number, text), DecimalFault::none};
+  }
   const char* at = text.data();
   const char* const end = at + text.size();
   const bool is_negative = at != end && *at == '-';
@@ -308,6 +329,42 @@ void DecimalRows::add(std::span<const DecimalNumber> coordinates, const DecimalN
   }
   for (const DecimalNumber& number : coordinates) coordinates_.push_back(number.nearest);
   if (kind_ != WeightKind::none) weights_.push_back(weight.nearest);
+}
+
+bool DecimalRows::add_short(std::span<const ShortDecimal> numbers) {
+  if (!is_fixed_ || kind_ == WeightKind::weight) return false;
+  const auto axes = static_cast<std::size_t>(dimension_);
+  std::array<double, 4> integers;
+  double largest = largest_;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    std::int64_t digits = numbers[i].digits;
+    int power = decimals_ - numbers[i].decimals;
+    for (; power < 0 && digits % 10 == 0; digits /= 10) {
+      if (digits == 0) power = -1;
+      ++power;
+    }
+    if (power < 0 || power > 18) {
+      if (digits != 0) return false;
+      power = 0;
+    }
+    const Int128 product = Int128{digits} * kIntegerPowersOfTen[static_cast<std::size_t>(power)];
+    constexpr Int128 kLargest = Int128{1} << 53;
+    if (product > kLargest || product < -kLargest) return false;
+    integers[i] = static_cast<double>(static_cast<std::int64_t>(product));
+    largest = std::max(largest, std::abs(integers[i]));
+  }
+  largest_ = largest;
+  ++rows_;
+  coordinates_.insert(coordinates_.end(), integers.begin(), integers.begin() + dimension_);
+  if (numbers.size() > axes) weights_.push_back(integers[axes]);
+  return true;
+}
+
+void DecimalRows::add_nearest(std::span<const double> numbers) {
+  const auto axes = static_cast<std::size_t>(dimension_);
+  ++rows_;
+  coordinates_.insert(coordinates_.end(), numbers.begin(), numbers.begin() + dimension_);
+  if (numbers.size() > axes) weights_.push_back(numbers[axes]);
 }
 
 WeightedPoints DecimalRows::points() && {

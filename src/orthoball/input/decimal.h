@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "orthoball/input/short_decimal.h"
 #include "orthoball/points/weighted_points.h"
 
 namespace orthoball {
@@ -56,6 +57,17 @@ class DecimalRows {
   /// @param coordinates  `dimension` numbers.
   /// @param weight       radius or weight, ignored for WeightKind::none.
   void add(std::span<const DecimalNumber> coordinates, const DecimalNumber& weight = {});
+  /// Adds one site the fast way: where all numbers so far are integers in one unit, and so are
+  /// these.
+  /// @param numbers  the coordinates, then the radius if there is one.
+  /// @return false, with nothing added, where the row needs `add` (always with
+  ///         WeightKind::weight).
+  [[nodiscard]] bool add_short(std::span<const ShortDecimal> numbers);
+  /// Adds one site as the doubles nearest to its numbers; only where `is_fixed()` is false.
+  /// @param numbers  the coordinates, then the radius or weight if there is one; finite, never -0.
+  void add_nearest(std::span<const double> numbers);
+  /// Whether the numbers are still held as integers in one unit. Never becomes true again.
+  [[nodiscard]] bool is_fixed() const { return is_fixed_; }
   [[nodiscard]] std::size_t size() const { return rows_; }
 
   /// The points: fixed-point with the smallest `decimals` that holds every coordinate and radius

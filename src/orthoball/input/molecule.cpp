@@ -37,6 +37,7 @@ class Alternates {
       if (atom.alternate.empty()) continue;
       prefer(residues_, place(atom), {rank(atom), atom.residue});
     }
+    if (residues_.empty()) return;
     for (std::size_t i = 0; i < atoms.size(); ++i) {
       if (!atoms[i].alternate.empty() && holds_place(atoms[i])) {
         atoms_.try_emplace(identity(atoms[i]));
@@ -164,78 +165,6 @@ std::string description_of(const Atom& atom) {
   return text;
 }
 
-// The radii of all atoms, which become the molecule's own.
-class RadiusAssignment {
- public:
-  explicit RadiusAssignment(const ReadOptions& options)
-      : radii_(options.radii.empty() ? "bondi" : options.radii, options.limited) {
-    if (!options.default_radius) return;
-    const DecimalParse parse = parse_decimal(*options.default_radius);
-    if (parse.fault != DecimalFault::none) {
-      throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
-                       "the default radius is " + quoted(*options.default_radius) +
-                           "; it must be a finite number");
-    }
-    default_radius_ = parse.number;
-    default_text_ = *options.default_radius;
-  }
-
-  void assign(const Source& source, Atom& atom) {
-    if (const auto found = radii_.radius(atom.element, atom.residue, atom.name)) {
-      atom.radius = found->radius;
-      elements_[found->source].insert(atom.element);
-      return;
-    }
-    const std::string who =
-        description_of(atom) +
-        (atom.element.empty() ? " has no element" : " has element " + quoted(atom.element));
-    if (!default_radius_) {
-      throw ParseError(source.name, atom.line,
-                       who + ", which has no radius in " + radii_.name() +
-                           "; give one with --default-radius or a radius file, or take "
-                           "--radii none");
-    }
-    atom.radius = *default_radius_;
-    if (++defaulted_ <= kListed) {
-      listed_ += (listed_.empty() ? "line " : "; line ") + std::to_string(atom.line) + ": " + who;
-    }
-  }
-
-  // "bondi (Bondi 1964, H 1.20; Alvarez 2013 for Ca, Fe)"
-  [[nodiscard]] std::string description() const {
-    std::string text = radii_.name() + " (" + radii_.main_source();
-    for (const auto& [source, elements] : elements_) {
-      if (radii_.main_source().substr(0, source.size()) == source || source == radii_.name()) {
-        continue;
-      }
-      text += "; " + source + " for ";
-      const char* separator = "";
-      for (const std::string_view element : elements) {
-        text += separator + std::string(element);
-        separator = ", ";
-      }
-    }
-    if (defaulted_ != 0) text += "; " + default_text_ + " for " + count_of(defaulted_, "atom");
-    return text + ')';
-  }
-
-  void warn(std::vector<std::string>& warnings) const {
-    if (defaulted_ == 0) return;
-    warnings.push_back("default radius " + default_text_ + " for " + count_of(defaulted_, "atom") +
-                       ": " + listed_ + (defaulted_ > kListed ? "; ..." : ""));
-  }
-
- private:
-  static constexpr std::size_t kListed = 5;
-
-  AtomRadii radii_;
-  std::optional<DecimalNumber> default_radius_;
-  std::string default_text_;
-  std::map<std::string, std::set<std::string_view>> elements_;  // by source of their radius
-  std::size_t defaulted_ = 0;
-  std::string listed_;  // the first kListed of them
-};
-
 // Gives every atom its radius and says in words where they come from.
 std::string assign_radii(const Source& source, Molecule& molecule, const ReadOptions& options) {
   if (options.radii.empty() && molecule.has_radii) {
@@ -292,6 +221,69 @@ SiteLabels labels_of(const Molecule& molecule) {
 }
 
 }  // namespace
+
+RadiusAssignment::RadiusAssignment(const ReadOptions& options)
+    : radii_(options.radii.empty() ? "bondi" : options.radii, options.limited) {
+  if (!options.default_radius) return;
+  const DecimalParse parse = parse_decimal(*options.default_radius);
+  if (parse.fault != DecimalFault::none) {
+    throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
+                     "the default radius is " + quoted(*options.default_radius) +
+                         "; it must be a finite number");
+  }
+  default_radius_ = parse.number;
+  default_text_ = *options.default_radius;
+}
+
+std::optional<DecimalNumber> RadiusAssignment::radius(const Atom& atom) {
+  const auto found = radii_.radius(atom.element, atom.residue, atom.name);
+  if (!found) return std::nullopt;
+  elements_[found->source].insert(atom.element);
+  return found->radius;
+}
+
+void RadiusAssignment::assign(const Source& source, Atom& atom) {
+  if (const auto found = radius(atom)) {
+    atom.radius = *found;
+    return;
+  }
+  const std::string who =
+      description_of(atom) +
+      (atom.element.empty() ? " has no element" : " has element " + quoted(atom.element));
+  if (!default_radius_) {
+    throw ParseError(source.name, atom.line,
+                     who + ", which has no radius in " + radii_.name() +
+                         "; give one with --default-radius or a radius file, or take "
+                         "--radii none");
+  }
+  atom.radius = *default_radius_;
+  if (++defaulted_ <= kListed) {
+    listed_ += (listed_.empty() ? "line " : "; line ") + std::to_string(atom.line) + ": " + who;
+  }
+}
+
+std::string RadiusAssignment::description() const {
+  std::string text = radii_.name() + " (" + radii_.main_source();
+  for (const auto& [source, elements] : elements_) {
+    if (radii_.main_source().substr(0, source.size()) == source || source == radii_.name()) {
+      continue;
+    }
+    text += "; " + source + " for ";
+    const char* separator = "";
+    for (const std::string_view element : elements) {
+      text += separator + std::string(element);
+      separator = ", ";
+    }
+  }
+  if (defaulted_ != 0) text += "; " + default_text_ + " for " + count_of(defaulted_, "atom");
+  return text + ')';
+}
+
+void RadiusAssignment::warn(std::vector<std::string>& warnings) const {
+  if (defaulted_ == 0) return;
+  warnings.push_back("default radius " + default_text_ + " for " + count_of(defaulted_, "atom") +
+                     ": " + listed_ + (defaulted_ > kListed ? "; ..." : ""));
+}
 
 bool ModelChoice::takes(int number) {
   if (last_ != number) {

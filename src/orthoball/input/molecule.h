@@ -4,12 +4,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "orthoball/input/atom_radii.h"
 #include "orthoball/input/decimal.h"
 #include "orthoball/input/read.h"
 #include "orthoball/input/source.h"
@@ -62,6 +64,36 @@ class ModelChoice {
   std::optional<int> last_;  // what takes() was asked last
   std::optional<int> taken_;
   std::set<int> seen_;
+};
+
+/// Gives atoms their radii, and says in words where they come from.
+class RadiusAssignment {
+ public:
+  /// The texts of atoms must live as long as this does.
+  /// @throws ParseError for a radius file that cannot be read.
+  /// @throws InputError for a default radius that is not a number.
+  explicit RadiusAssignment(const ReadOptions& options);
+
+  /// The radius that the set has for an atom like this; empty where it has none.
+  [[nodiscard]] std::optional<DecimalNumber> radius(const Atom& atom);
+  /// Gives the atom that radius, else the default one.
+  /// @throws ParseError at the atom's line where there is none.
+  void assign(const Source& source, Atom& atom);
+
+  /// As in Reading::radii: "bondi (Bondi 1964, H 1.20; Alvarez 2013 for Ca, Fe)".
+  [[nodiscard]] std::string description() const;
+  /// Names the atoms with the default radius, if there are any.
+  void warn(std::vector<std::string>& warnings) const;
+
+ private:
+  static constexpr std::size_t kListed = 5;
+
+  AtomRadii radii_;
+  std::optional<DecimalNumber> default_radius_;
+  std::string default_text_;
+  std::map<std::string, std::set<std::string_view>> elements_;  // by source of their radius
+  std::size_t defaulted_ = 0;
+  std::string listed_;  // the first kListed of them
 };
 
 /// Refuses options that are meant for tables or for the plane.

@@ -116,17 +116,12 @@ Reading read_npy(const Source& source, const ReadOptions& options) {
       source, chosen_columns(
                   source.name, options,
                   {.names = {}, .columns = header.columns, .numbers = header.columns, .line = 0}));
-  std::vector<double> row(header.rows == 0 ? 0 : header.columns);
-  for (std::size_t i = 0; i < header.rows; ++i) {
-    std::size_t offset = 0;
-    for (std::size_t j = 0; j < row.size(); ++j) {
-      const std::size_t element =
-          header.is_fortran_order ? j * header.rows + i : i * row.size() + j;
-      offset = header.data + element * size;
-      row[j] = number_from_bytes(source.bytes.data() + offset, header.type, header.is_big_endian);
-    }
-    rows.add(row, offset);
-  }
+  rows.add_columns(header.rows, header.is_big_endian, [&](std::size_t column) {
+    const std::size_t steps = header.is_fortran_order ? header.rows : 1;
+    return BinaryColumn{.first = header.data + column * steps * size,
+                        .stride = header.is_fortran_order ? size : header.columns * size,
+                        .type = header.type};
+  });
   return std::move(rows).reading();
 }
 

@@ -37,6 +37,8 @@ Reading read_obj(const Source& source, const ReadOptions& options) {
       sites.name_columns(lines.number(), std::move(names));
     }
     sites.add(lines.number(), fields);
+    // A fourth number must be looked at.
+    if (fields.size() != 4 || has_own_use) sites.add_plain(lines, {.mark = "v"});
   }
   return std::move(sites).reading();
 }

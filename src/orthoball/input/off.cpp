@@ -57,6 +57,7 @@ class Off {
         sites.name_columns(lines_.number(), std::move(names));
       }
       sites.add(lines_.number(), fields_);
+      vertex += sites.add_plain(lines_, {.most = vertices_ - vertex - 1});
     }
   }
 

@@ -118,6 +118,7 @@ Reading read_pdb(const Source& source, const ReadOptions& options) {
   require_text(source);
   Molecule molecule;
   molecule.has_residues = true;
+  molecule.atoms.reserve(source.bytes.size() / 80);  // if all lines are atoms
   ModelChoice models(options.molecule.model, "model");
   ModelNumber model(models);
   Lines lines(source.bytes);

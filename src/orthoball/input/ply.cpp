@@ -156,6 +156,7 @@ Reading read_ascii(const Source& source, const ReadOptions& options, Header head
   for (const Element& element : header.before) {
     for (std::size_t row = 0; row < element.count; ++row) next_line(element, row);
   }
+  const bool has_list = header.names.size() != header.vertex.properties.size();
   for (std::size_t row = 0; row < header.vertex.count; ++row) {
     next_line(header.vertex, row);
     const std::size_t line = header.body.number();
@@ -178,6 +179,7 @@ Reading read_ascii(const Source& source, const ReadOptions& options, Header head
                            "needs a line with all its properties");
     }
     sites.add(line, scalars);
+    if (!has_list) row += sites.add_plain(header.body, {.most = header.vertex.count - row - 1});
   }
   return std::move(sites).reading();
 }
@@ -262,7 +264,17 @@ Reading read_binary(const Source& source, const ReadOptions& options, const Head
                                            .columns = header.names.size(),
                                            .numbers = header.names.size(),
                                            .line = 0}));
-  std::vector<double> scalars;
+  if (header.names.size() == header.vertex.properties.size()) {
+    std::vector<BinaryColumn> columns;
+    for (std::size_t at = body.at(); const Property& property : header.vertex.properties) {
+      columns.push_back({at, least_size, property.type});
+      at += size_in_bytes(property.type);
+    }
+    sites.add_columns(header.vertex.count, header.encoding == Encoding::big_endian,
+                      [&](std::size_t column) { return columns[column]; });
+    return std::move(sites).reading();
+  }
+  std::vector<double> scalars;  // with lists the lengths differ
   for (std::size_t row = 0; row < header.vertex.count; ++row) {
     const std::size_t begin = body.at();
     body.next(header.vertex, scalars);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -162,7 +163,7 @@ Reading read(const std::string& path, const ReadOptions& options) {
                    format_names());
   }
   const Format* format = options.format.empty() ? &format_of(path) : &format_named(options.format);
-  const Source source = read_source(path, options.limited);
+  const Source source = read_source(path, options.limited, options.memory);
   if (format->is_text) require_text(source);
   if (options.format.empty()) format = &format_of_content(*format, source.bytes);
   const bool has_columns =
@@ -177,6 +178,9 @@ Reading read(const std::string& path, const ReadOptions& options) {
     refuse_options("atoms and their radii cannot be chosen in the format " +
                    std::string(format->name) + "; they are for molecules");
   }
+  // About as much again for the numbers; atoms keep their names, too.
+  const std::uint64_t each = format->is_molecule ? 8 : 1;
+  options.memory.require(each * source.bytes.size(), path + ": the points in it");
   Reading reading = format->reader(source, options);
   reading.file = path;
   reading.format = format->name;

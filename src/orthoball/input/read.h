@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "orthoball/input/site_labels.h"
+#include "orthoball/memory_budget.h"
 #include "orthoball/points/weighted_points.h"
 
 namespace orthoball {
@@ -34,6 +35,7 @@ struct ReadOptions {
   MoleculeOptions molecule{};
   bool allow_empty = false;  ///< a file without any site is no error
   bool limited = true;       ///< refuse inputs over 1 GiB or compressed by more than 200
+  MemoryBudget memory{};     ///< by default what the system has
 };
 
 /// What a file gave.
@@ -54,6 +56,7 @@ struct Reading {
 /// @throws ParseError `FILE:LINE: what is wrong; what would be right` for a file that is not what
 ///         its format says, that has no site (unless allowed), or cannot be opened.
 /// @throws InputError for options that do not fit each other or the format.
+/// @throws LimitError for a file that is too large for `options.memory`.
 [[nodiscard]] Reading read(const std::string& path, const ReadOptions& options);
 
 /// Names of the formats `read` knows, for `--input-format`.

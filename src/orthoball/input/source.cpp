@@ -22,6 +22,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::size_t kChunk = std::size_t{1} << 20U;
+constexpr std::size_t kLargestRatio = 1032;  // that deflate can reach
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max() / 2;
 
 struct Signature {
@@ -78,7 +79,7 @@ void refuse_compressed(const std::string& name, std::string_view bytes) {
       name, 0, "larger than 1 GiB uncompressed; lift the limit with --no-limit if that is meant");
 }
 
-std::string all_bytes(const std::string& path, std::size_t limit) {
+std::string all_bytes(const std::string& path, std::size_t limit, const MemoryBudget& memory) {
   const auto fail = [&](const char* what) {
     throw ParseError(path, 0,
                      std::string(what) + ": " + std::generic_category().message(errno) +
@@ -94,6 +95,9 @@ std::string all_bytes(const std::string& path, std::size_t limit) {
   // What the file system says is a hint only: pipes say 0, and files grow.
   std::error_code no_size;
   const std::uintmax_t expected = std::filesystem::file_size(path, no_size);
+  if (!no_size && expected <= limit) {
+    memory.require(expected, path);
+  }
   std::string bytes;
   std::size_t size = 0;
   std::size_t room =
@@ -121,11 +125,21 @@ std::string gunzipped(const std::string& name, std::string_view packed, bool lim
   if (inflateInit2(&stream, 15 + 16) != Z_OK) throw LimitError("out of memory in zlib");
   const std::unique_ptr<z_stream, decltype(&inflateEnd)> guard(&stream, &inflateEnd);
 
+  // The last four bytes tell the size of the last member: of all, nearly always, or a lie.
+  std::size_t expected = 0;
+  for (std::size_t i = 1; i <= 4 && i <= packed.size(); ++i) {
+    expected = expected << 8U | static_cast<unsigned char>(packed[packed.size() - i]);
+  }
   std::string bytes;
+  if (expected <= kLargestRatio * packed.size()) bytes.reserve(std::min(expected, limit) + 1);
   std::size_t size = 0;
   int status = Z_OK;
   do {
-    if (size == bytes.size()) bytes.resize(std::min(std::max(kChunk, 2 * size), limit + 1));
+    if (size == bytes.size()) {
+      const std::size_t room =
+          std::max(kChunk, size + kChunk < bytes.capacity() ? size + kChunk : 2 * size);
+      bytes.resize(std::min(room, limit + 1));
+    }
     if (status == Z_STREAM_END) inflateReset(&stream);
     const auto input = static_cast<uInt>(std::min<std::size_t>(packed.size(), kLargestInput));
     const auto room = static_cast<uInt>(std::min(bytes.size() - size, kLargestInput));
@@ -165,8 +179,8 @@ std::size_t line_of(std::string_view text, std::size_t offset) {
 
 }  // namespace
 
-Source read_source(const std::string& path, bool limited) {
-  Source source{path, all_bytes(path, limited ? kLargestInput : kNoLimit)};
+Source read_source(const std::string& path, bool limited, const MemoryBudget& memory) {
+  Source source{path, all_bytes(path, limited ? kLargestInput : kNoLimit, memory)};
   refuse_compressed(path, source.bytes);
   if (has_bytes(source.bytes, 0, "\x1f\x8b")) {
     source.bytes = gunzipped(path, source.bytes, limited);

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "orthoball/memory_budget.h"
+
 namespace orthoball {
 
 /// The bytes of one input, decompressed, with the name that messages use.
@@ -24,7 +26,9 @@ inline constexpr std::size_t kLargestCompressionRatio = 200;
 /// @throws ParseError if it cannot be opened or read, is truncated or corrupt gzip, or (when
 ///         `limited`) is larger than the limits above. Memory stays within a small multiple of the
 ///         limit, whatever the bytes claim.
-[[nodiscard]] Source read_source(const std::string& path, bool limited);
+/// @throws LimitError for a file that is larger than `memory` allows.
+[[nodiscard]] Source read_source(const std::string& path, bool limited,
+                                 const MemoryBudget& memory = {});
 
 /// Refuses what is not a text: NUL bytes (with the line), UTF-16, PNG and other known signatures.
 /// Messages print no raw bytes.
@@ -39,6 +43,11 @@ class Lines {
   [[nodiscard]] bool next(std::string_view& line);
   /// 1-based number of the line last returned.
   [[nodiscard]] std::size_t number() const { return number_; }
+  /// Passes over `count` lines, which end where `rest` begins; a tail of what rest() gave.
+  void skip(std::size_t count, std::string_view rest) {
+    at_ = text_.size() - rest.size();
+    number_ += count;
+  }
   /// What follows the line last returned and its end.
   [[nodiscard]] std::string_view rest() const { return text_.substr(std::min(at_, text_.size())); }
 

@@ -15,7 +15,7 @@
 namespace orthoball {
 namespace {
 
-constexpr char kBlanks = ' ';  // the separator that stands for any run of blanks and tabs
+constexpr char kBlanks = PlainRows::kBlanks;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
@@ -43,6 +43,8 @@ class Rows {
     separator_ == kBlanks ? split_at_blanks(fields) : split_at_separators(fields);
     return true;
   }
+  // Hands on the plain rows that follow.
+  void pass_plain(TextRows& sites) { sites.add_plain(lines_, {.separator = separator_}); }
   // 1-based number of the line on which the row last returned begins.
   [[nodiscard]] std::size_t line() const { return line_; }
 
@@ -175,7 +177,10 @@ Reading read_table(const Source& source, const ReadOptions& options) {
     announced = count_at(source, first_line, fields[0], "the number of points");
     has_row = rows.next(fields);
   }
-  for (; has_row; has_row = rows.next(fields)) sites.add(rows.line(), fields);
+  for (; has_row; has_row = rows.next(fields)) {
+    sites.add(rows.line(), fields);
+    rows.pass_plain(sites);
+  }
   if (announced && *announced != sites.size()) {
     throw ParseError(source.name, first_line,
                      std::to_string(*announced) + " points announced, " +

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "orthoball/input/text_rows.h"
 
+#include <fast_float/fast_float.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -23,6 +26,18 @@ DecimalNumber product(const DecimalNumber& a, const DecimalNumber& b) {
     return decimal_number(a.digits * b.digits, a.exponent + b.exponent);
   }
   return {nearest + 0.0, 0, false, 0};
+}
+
+// The double nearest to the number at `at`, in the grammar of parse_decimal but for Fortran's d.
+const char* parse_nearest(const char* at, const char* end, double& number) {
+  const bool is_positive = at != end && *at == '+';
+  if (is_positive) ++at;
+  // fast_float would skip line ends, too.
+  if (at == end || *at <= ' ' || (is_positive && *at == '-')) return nullptr;
+  const auto [after, error] = fast_float::from_chars(at, end, number);
+  if (error != std::errc() || !std::isfinite(number)) return nullptr;
+  number += 0.0;  // -0 reads as 0
+  return after;
 }
 
 }  // namespace
@@ -49,6 +64,7 @@ void TextRows::choose(std::size_t line, std::span<const std::string_view> fields
                             {names_, count_, static_cast<std::size_t>(numbers), line});
   rows_ = DecimalRows(columns_.dimension, columns_.weight_kind);
   numbers_.resize(columns_.coordinates.size());
+  slots_ = slots();
 
   std::size_t length = fields.size();
   for (const std::string_view field : fields) length += field.size();
@@ -97,8 +113,57 @@ void TextRows::add(std::size_t line, std::span<const std::string_view> fields) {
     }
   }
   rows_.add(numbers_, weight);
+  add_line(line);
+}
+
+void TextRows::add_line(std::size_t line) {
   lines_.push_back(static_cast<std::uint32_t>(
       std::min<std::size_t>(line, std::numeric_limits<std::uint32_t>::max())));
+}
+
+std::vector<std::uint8_t> TextRows::slots() const {
+  std::vector<std::uint8_t> slots(count_, kUnusedColumn);
+  std::vector<std::size_t> used = columns_.coordinates;
+  if (columns_.weight_kind != WeightKind::none) used.push_back(columns_.weight);
+  for (std::size_t slot = 0; slot < used.size(); ++slot) {
+    if (slots[used[slot]] != kUnusedColumn) return {};
+    slots[used[slot]] = static_cast<std::uint8_t>(slot);
+  }
+  return slots;
+}
+
+std::size_t TextRows::add_plain(Lines& lines, const PlainRows& plain) {
+  if (lines_.empty() || is_scaled_ || slots_.empty()) return 0;
+  const std::string_view rest = lines.rest();
+  const char* at = rest.data();
+  const char* const end = at + rest.size();
+  const std::size_t axes = numbers_.size();
+  const std::size_t width = axes + (columns_.weight_kind == WeightKind::none ? 0 : 1);
+  std::array<ShortDecimal, 4> decimals;
+  std::array<double, 4> nearest;
+  std::size_t rows = 0;
+  for (; rows < plain.most && at != end; ++rows) {
+    const char* next = nullptr;
+    if (rows_.is_fixed()) {
+      next = read_plain_row(at, end, plain, slots_, decimals.data(), parse_short_decimal);
+      if (next == nullptr) break;
+      if (!rows_.add_short({decimals.data(), width})) {
+        const auto number = [&](std::size_t slot) {
+          return decimal_number(decimals[slot].digits, -decimals[slot].decimals);
+        };
+        for (std::size_t axis = 0; axis < axes; ++axis) numbers_[axis] = number(axis);
+        rows_.add(numbers_, width == axes ? DecimalNumber{} : number(axes));
+      }
+    } else {
+      next = read_plain_row(at, end, plain, slots_, nearest.data(), parse_nearest);
+      if (next == nullptr) break;
+      rows_.add_nearest({nearest.data(), width});
+    }
+    at = next;
+    add_line(lines.number() + rows + 1);
+  }
+  lines.skip(rows, {at, static_cast<std::size_t>(end - at)});
+  return rows;
 }
 
 Reading TextRows::reading() && {

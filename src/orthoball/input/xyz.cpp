@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +18,7 @@
 #include "orthoball/input/fields.h"
 #include "orthoball/input/formats.h"
 #include "orthoball/input/molecule.h"
+#include "orthoball/input/plain_row.h"
 
 // XYZ: frames of a line with the number of atoms, a comment, and a line `element x y z` for each
 // atom. In the extended form the comment holds key=value pairs, and Properties names the columns.
@@ -191,6 +197,8 @@ void read_frame(const Source& source, Lines& lines, std::size_t count, bool is_t
   AtomColumns columns;
   if (is_taken) columns = columns_of_comment(source, lines.number(), line, molecule.warnings);
   std::vector<std::string_view> words;
+  // No more than the bytes that follow can hold.
+  if (is_taken) molecule.atoms.reserve(std::min(count, lines.rest().size() / 8 + 1));
   for (std::size_t i = 0; i < count; ++i) {
     if (!lines.next(line) || trimmed(line).empty()) {
       throw ParseError(source.name, head,
@@ -203,11 +211,129 @@ void read_frame(const Source& source, Lines& lines, std::size_t count, bool is_t
   }
 }
 
+// --- files of one plain frame --------------------------------------------------------------------
+
+// What a word at the begin of a line stands for.
+struct Kind {
+  std::string_view element;
+  ShortDecimal radius;
+};
+
+// The kinds of atoms of a frame, each looked up once.
+class Kinds {
+ public:
+  explicit Kinds(RadiusAssignment* radii) : radii_(radii) {}
+
+  // Null for an element without a radius.
+  const Kind* of(std::string_view word, bool has_numbers) {
+    if (last_ != nullptr && word == last_word_) return last_;
+    const auto known = kinds_.find(word);
+    last_ = known != kinds_.end() ? &known->second : add(word, has_numbers);
+    last_word_ = word;
+    return last_;
+  }
+
+ private:
+  const Kind* add(std::string_view word, bool has_numbers) {
+    Kind kind{element_of(word, has_numbers), {}};
+    if (radii_ != nullptr) {
+      Atom atom;
+      atom.element = kind.element;
+      const auto radius = radii_->radius(atom);
+      if (!radius || radius->digits > kMostDigits || radius->digits < -kMostDigits) return nullptr;
+      kind.radius = {static_cast<std::int64_t>(radius->digits), -radius->exponent};
+    }
+    return &kinds_.emplace(word, kind).first->second;
+  }
+
+  static constexpr Int128 kMostDigits = 1'000'000'000'000'000;
+  RadiusAssignment* radii_;
+  std::map<std::string_view, Kind> kinds_;
+  std::string_view last_word_;
+  const Kind* last_ = nullptr;
+};
+
+// A file that is one frame of plain lines `element x y z ...`, read in one pass over its bytes
+// without an Atom for each line. Empty where anything is different or wrong: then the general way
+// begins anew, and says what is wrong.
+std::optional<Reading> plain_reading(const Source& source, const ReadOptions& options) {
+  if (!(options.molecule == MoleculeOptions{}) || options.default_radius ||
+      options.radii == "protor") {
+    return std::nullopt;
+  }
+  Lines lines(source.bytes);
+  std::string_view line;
+  std::size_t count = 0;
+  if (!lines.next(line)) return std::nullopt;
+  const std::string_view head = trimmed(line);
+  const auto [end_of_count, error] = std::from_chars(head.data(), head.data() + head.size(), count);
+  if (error != std::errc() || end_of_count != head.data() + head.size() || count == 0 ||
+      count > source.bytes.size() / 7 || !lines.next(line)) {
+    return std::nullopt;
+  }
+  std::vector<std::string> warnings;
+  const AtomColumns columns = columns_of_comment(source, lines.number(), line, warnings);
+  if (columns.element != 0 || columns.x != 1) return std::nullopt;
+
+  const char* at = lines.rest().data();
+  const char* const end = at + lines.rest().size();
+  std::vector<std::string_view> words;
+  split_at_blanks({at, std::min(lines.rest().find('\n'), lines.rest().size())}, words);
+  if (words.size() < columns.least || words.size() > kMostColumns) return std::nullopt;
+  if (columns.is_exact && words.size() != columns.least) return std::nullopt;
+  std::vector<std::uint8_t> slots(words.size(), kUnusedColumn);
+  for (std::uint8_t axis = 0; axis < 3; ++axis) slots[1 + std::size_t{axis}] = axis;
+
+  const bool is_weighted = options.radii != "none";
+  std::optional<RadiusAssignment> radii;
+  if (is_weighted) radii.emplace(options);
+  Kinds kinds(is_weighted ? &*radii : nullptr);
+  DecimalRows rows(3, is_weighted ? WeightKind::radius : WeightKind::none);
+  Reading reading{.points = WeightedPoints(3), .warnings = std::move(warnings)};
+  rows.reserve(count);
+  reading.labels.line.reserve(count);
+  reading.labels.element.reserve(count);
+  const std::size_t first_line = lines.number() + 1;
+  std::array<ShortDecimal, 4> numbers;
+  const std::size_t width = is_weighted ? 4 : 3;
+  for (std::size_t i = 0; i < count; ++i) {
+    const char* const row = at;
+    at = read_plain_row(at, end, {}, slots, numbers.data(), parse_short_decimal);
+    if (at == nullptr) return std::nullopt;
+    const char* const word = std::find_if_not(row, at, is_blank);
+    const char* const end_of_word = std::find_if(word, at, is_blank);
+    const Kind* const kind =
+        kinds.of({word, static_cast<std::size_t>(end_of_word - word)}, columns.has_numbers);
+    if (kind == nullptr) return std::nullopt;
+    numbers[3] = kind->radius;
+    if (!rows.add_short(std::span(numbers).first(width))) {
+      std::array<DecimalNumber, 4> exact;
+      for (std::size_t n = 0; n < width; ++n) {
+        exact[n] = decimal_number(numbers[n].digits, -numbers[n].decimals);
+      }
+      rows.add(std::span(exact).first(3), exact[3]);
+    }
+    reading.labels.line.push_back(static_cast<std::uint32_t>(
+        std::min<std::size_t>(first_line + i, std::numeric_limits<std::uint32_t>::max())));
+    reading.labels.element.emplace_back(kind->element);
+  }
+  if (std::string_view(at, static_cast<std::size_t>(end - at)).find_first_not_of(" \t\r\n") !=
+      std::string_view::npos) {
+    return std::nullopt;
+  }
+  reading.points = std::move(rows).points();
+  reading.file = source.name;
+  reading.radii = is_weighted ? radii->description() : "none";
+  reading.is_molecule = is_weighted;
+  return reading;
+}
+
 }  // namespace
 
 Reading read_xyz(const Source& source, const ReadOptions& options) {
   require_molecule_options(options, "xyz");
   require_text(source);
+  if (auto reading = plain_reading(source, options)) return std::move(*reading);
   Molecule molecule;
   ModelChoice frames(options.molecule.model, "frame");
   Lines lines(source.bytes);

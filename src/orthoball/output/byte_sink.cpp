@@ -4,29 +4,66 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <ostream>
 
 namespace orthoball {
+namespace {
 
-ByteSink::ByteSink(std::ostream& out, std::string_view missing) : out_(out), missing_(missing) {
-  buffer_.reserve(kPiece + 256);
-}
+constexpr std::size_t kLongestNumber = 32;
+
+// "000102...99"
+constexpr std::array<char, 200> kPairs = [] {
+  std::array<char, 200> pairs{};
+  for (std::size_t i = 0; i < 100; ++i) {
+    pairs[2 * i] = static_cast<char>('0' + i / 10);
+    pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
+  }
+  return pairs;
+}();
+
+}  // namespace
+
+ByteSink::ByteSink(std::ostream& out, std::string_view missing)
+    : out_(out),
+      missing_(missing),
+      buffer_(new char[kPiece]),  // not filled: small outputs touch little of it
+      at_(buffer_.get()),
+      end_(at_ + kPiece) {}
 
 void ByteSink::real(double number) {
   if (!std::isfinite(number)) {
     ++missing_count_;
     return text(missing_);
   }
-  std::array<char, 32> digits;
-  const char* const end = fmt::format_to(digits.data(), FMT_COMPILE("{}"), number + 0.0);
-  text({digits.data(), static_cast<std::size_t>(end - digits.data())});
+  if (room() < kLongestNumber) flush();
+  at_ = fmt::format_to(at_, FMT_COMPILE("{}"), number + 0.0);
 }
 
 void ByteSink::integer(std::int64_t number) {
-  const fmt::format_int digits(number);
-  text({digits.data(), digits.size()});
+  if (room() < kLongestNumber) flush();
+  auto rest = static_cast<std::uint64_t>(number);
+  if (number < 0) {
+    *at_++ = '-';
+    rest = 0 - rest;
+  }
+  // Figures in pairs from the last on, then as many bytes as there can be to their place.
+  constexpr std::size_t kMostFigures = 20;
+  std::array<char, 2 * kMostFigures> figures{};
+  char* const end = figures.data() + kMostFigures;
+  char* first = end;
+  for (; rest >= 100; rest /= 100) {
+    first -= 2;
+    std::copy_n(&kPairs[2 * (rest % 100)], 2, first);
+  }
+  first -= 2;
+  std::copy_n(&kPairs[2 * rest], 2, first);
+  if (rest < 10) ++first;
+  std::copy_n(first, kMostFigures, at_);
+  at_ += end - first;
 }
 
 void ByteSink::json_string(std::string_view string) {
@@ -44,15 +81,16 @@ void ByteSink::json_string(std::string_view string) {
   text("\"");
 }
 
-void ByteSink::through(std::string_view text) {
+void ByteSink::long_text(std::string_view text) {
   flush();
+  if (text.size() <= kPiece) return this->text(text);
   out_.write(text.data(), static_cast<std::streamsize>(text.size()));
   if (!out_) throw OutputError("could not be written");
 }
 
 void ByteSink::flush() {
-  out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-  buffer_.clear();
+  out_.write(buffer_.get(), at_ - buffer_.get());
+  at_ = buffer_.get();
   if (!out_) throw OutputError("could not be written");
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 #include <iosfwd>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -32,9 +33,9 @@ class ByteSink {
 
   /// @throws OutputError here and below, when a piece could not be written.
   void text(std::string_view text) {
-    if (text.size() >= kPiece) return through(text);
-    buffer_.append(text);
-    if (buffer_.size() >= kPiece) flush();
+    if (text.size() > room()) return long_text(text);
+    std::copy_n(text.data(), text.size(), at_);
+    at_ += text.size();
   }
   /// The shortest decimal text that reads back to the same double; `missing` for NaN and infinity.
   void real(double number);
@@ -57,12 +58,15 @@ class ByteSink {
   [[nodiscard]] std::size_t missing_count() const { return missing_count_; }
 
  private:
-  void through(std::string_view text);
+  [[nodiscard]] std::size_t room() const { return static_cast<std::size_t>(end_ - at_); }
+  void long_text(std::string_view text);
 
   static constexpr std::size_t kPiece = std::size_t{1} << 20U;
   std::ostream& out_;
   std::string missing_;
-  std::string buffer_;
+  std::unique_ptr<char[]> buffer_;
+  char* at_;  // the free rest of the buffer
+  char* end_;
   std::size_t missing_count_ = 0;
 };
 

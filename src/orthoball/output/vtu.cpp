@@ -40,13 +40,21 @@ class DataArray {
     const auto byte = [&](std::size_t i) -> std::uint32_t {
       return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U;
     };
+    // In pieces that the sink does not see, so that nothing is read again after each digit.
+    std::array<char, 4096> piece;
+    std::size_t size = 0;
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
       const std::uint32_t three = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-      const std::array<char, 4> digits{kDigits[three >> 18U], kDigits[three >> 12U & 63U],
-                                       i + 1 < bytes.size() ? kDigits[three >> 6U & 63U] : '=',
-                                       i + 2 < bytes.size() ? kDigits[three & 63U] : '='};
-      sink.text({digits.data(), digits.size()});
+      piece[size] = kDigits[three >> 18U];
+      piece[size + 1] = kDigits[three >> 12U & 63U];
+      piece[size + 2] = i + 1 < bytes.size() ? kDigits[three >> 6U & 63U] : '=';
+      piece[size + 3] = i + 2 < bytes.size() ? kDigits[three & 63U] : '=';
+      size += 4;
+      if (size < piece.size()) continue;
+      sink.text({piece.data(), size});
+      size = 0;
     }
+    sink.text({piece.data(), size});
   }
 
   std::string bytes_;

@@ -82,6 +82,23 @@ TEST(ReadNpy, NoRowsAreNoPoints) {
   EXPECT_EQ(reading_of(read_npy, npy("<f8", "False", "(0, 3)", "")).points.size(), 0U);
 }
 
+TEST(ReadNpy, ReadsManyRowsAndNamesTheFirstNumberThatIsNone) {
+  std::vector<double> numbers(3 * 1500);
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = 0.5 * static_cast<double>(i);
+  const std::string head = npy("<f8", "False", "(1500, 3)", "");
+  EXPECT_EQ(coordinates_of(reading_of(read_npy, head + doubles(numbers))), numbers);
+  numbers[3 * 1300 + 2] = numbers[3 * 1301] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(error_of(read_npy, head + doubles(numbers)),
+            "f: byte " + std::to_string(head.size() + 8 * (3 * 1300 + 2)) +
+                ": column 3 holds no finite number that a double can hold; it must");
+  std::vector<double> columns(numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) columns[i % 3 * 1500 + i / 3] = numbers[i];
+  const std::string turned = npy("<f8", "True", "(1500, 3)", "");
+  EXPECT_EQ(error_of(read_npy, turned + doubles(columns)),
+            "f: byte " + std::to_string(turned.size() + 8 * (2 * 1500 + 1300)) +
+                ": column 3 holds no finite number that a double can hold; it must");
+}
+
 TEST(ReadNpy, RefusesWhatItCannotRead) {
   const std::string good = npy("<f8", "False", "(1, 2)", doubles({1, 2}));
   for (std::size_t length = 0; length < good.size(); ++length) {

@@ -120,6 +120,19 @@ TEST(Read, TextFormatsRefuseOtherBytes) {
   EXPECT_EQ(error_of("a.csv", "\xef\xbb\xbfx,y\n1,2\n"), "");
 }
 
+TEST(Read, WhatIsLargerThanTheMemoryIsRefusedByTheNameOfTheFile) {
+  const TemporaryFolder folder;
+  const std::string table = folder.file("a.csv", "1,2,3\n");
+  EXPECT_THROW(static_cast<void>(read(table, {.memory = MemoryBudget(1)})), LimitError);
+  EXPECT_EQ(read(table, {.memory = MemoryBudget(std::uint64_t{1} << 40U)}).points.size(), 1U);
+  try {
+    static_cast<void>(read(table, {.memory = MemoryBudget(0)}));
+    FAIL();
+  } catch (const LimitError& error) {
+    EXPECT_EQ(std::string(error.what()).find(table + ": about 6 bytes of memory needed"), 0U);
+  }
+}
+
 TEST(Read, OptionsMustFitEachOther) {
   const TemporaryFolder folder;
   const std::string table = folder.file("a.csv", "1,2,3,4\n");

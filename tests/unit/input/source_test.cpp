@@ -77,6 +77,9 @@ TEST(ReadSource, UnpacksEveryMemberOfAGzipFile) {
   EXPECT_EQ(bytes_of(gzipped("1 2 3\n") + std::string(512, '\0')), "1 2 3\n");
   EXPECT_EQ(bytes_of(gzipped("")), "");
   EXPECT_EQ(bytes_of(gzipped(text), false), text);
+  // The size that the last member tells is not that of all.
+  EXPECT_EQ(bytes_of(gzipped(text) + gzipped("z") + gzipped(text) + gzipped(""), false),
+            text + "z" + text);
 }
 
 TEST(ReadSource, RefusesGzipThatIsCutOrCorrupt) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "generators/random.h"
 #include "orthoball/error.h"
 #include "orthoball/input/formats.h"
 
@@ -94,6 +95,59 @@ TEST(Xyz, RefusesPropertiesThatDoNotFit) {
 TEST(Xyz, WarnsOfALatticeThatIsNone) {
   const Reading reading = xyz("1\nLattice=\"1 0 0\" Properties=species:S:1:pos:R:3\nC 0 0 0\n");
   EXPECT_EQ(reading.warnings.size(), 1U);
+}
+
+// All that a reading says; the error if there is none.
+std::string description_of(const std::string& text, const ReadOptions& options) {
+  try {
+    const Reading reading = xyz(text, options);
+    std::string words = std::to_string(reading.points.decimals().value_or(-1));
+    for (const double x : reading.points.coordinates()) words += ' ' + std::to_string(x);
+    for (const double x : reading.points.weights()) words += ' ' + std::to_string(x);
+    for (const std::uint32_t line : reading.labels.line) words += ' ' + std::to_string(line);
+    for (const auto* const texts : {&reading.labels.element, &reading.labels.atom,
+                                    &reading.labels.chain, &reading.notes, &reading.warnings}) {
+      // The advice to name a model goes without saying where one is named.
+      for (const std::string& each : *texts) words += '|' + each.substr(0, each.find(" (--model"));
+    }
+    return words + reading.radii + (reading.is_molecule ? " molecule" : "");
+  } catch (const ParseError& error) {
+    return error.what();
+  }
+}
+
+TEST(Xyz, PlainFramesAreReadAsAnyOthers) {
+  generators::Random random(11);
+  const auto pick = [&](const Strings& words) {
+    return words[static_cast<std::size_t>(random.integer(0, static_cast<int>(words.size()) - 1))];
+  };
+  const Strings elements{"C", "H", "ca", "C12", "26", "O", "N"};
+  const Strings numbers{"0.5", "-1.25", "3", "0.123456", "1e1", "12.000", "+7"};
+  const Strings odd{
+      "0.12345678901234567", "1.0000000000000000000", "1e-300", "x", "nan", "1d0", "#"};
+  for (int i = 0; i < 5000; ++i) {
+    const int atoms = random.integer(1, 5);
+    const int more = random.integer(0, 1);
+    std::string text = std::to_string(atoms + (random.uniform() < 0.05 ? 1 : 0)) + "\n" +
+                       pick({"", "words", "Lattice=\"1 0 0 0 1 0 0 0 1\"", "Lattice=\"1\"",
+                             "Properties=species:S:1:pos:R:3", "Properties=Z:I:1:pos:R:3:q:R:1",
+                             "Properties=pos:R:3:species:S:1"}) +
+                       pick({"\n", "\n", "\r\n", "\r"});
+    for (int atom = 0; atom < atoms; ++atom) {
+      text += pick({"", "", " ", "\t"}) + (random.uniform() < 0.02 ? "Xx" : pick(elements));
+      for (int n = 0; n < 3 + more; ++n) {
+        text += pick({" ", "  ", "\t"}) + (random.uniform() < 0.02 ? pick(odd) : pick(numbers));
+      }
+      text += pick({"\n", "\n", "\n", " \n", "\r\n"});
+    }
+    text += pick({"", "", "\n", "  \n\n", "1\n\nC 1 2 3\n"});
+    ReadOptions options;
+    if (random.uniform() < 0.3) options.radii = pick({"none", "bondi", "alvarez", "protor"});
+    // Naming the model that is taken anyway makes no difference, but is not plain.
+    ReadOptions named = options;
+    named.molecule.model = 1;
+    ASSERT_EQ(description_of(text, options), description_of(text, named)) << text;
+  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <sstream>
@@ -58,6 +59,35 @@ TEST(ByteSink, KeepsTheOrderOfPiecesLargerThanItsBuffer) {
     s.integer(-7);
   });
   EXPECT_EQ(result, "a" + large + "-7");
+}
+
+TEST(ByteSink, WritesIntegersOfEveryLength) {
+  for (const std::int64_t n :
+       {std::int64_t{0}, std::int64_t{9}, std::int64_t{10}, std::int64_t{99}, std::int64_t{100},
+        std::int64_t{-1}, std::int64_t{-10}, std::int64_t{4294967295},
+        std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()}) {
+    EXPECT_EQ(written([&](ByteSink& s) { s.integer(n); }), std::to_string(n));
+  }
+  for (std::int64_t n = 1; n < std::int64_t{1} << 60; n = 3 * n + 1) {
+    EXPECT_EQ(written([&](ByteSink& s) { s.integer(n); }), std::to_string(n));
+  }
+}
+
+TEST(ByteSink, LosesNothingWhereItsBufferEnds) {
+  // Pieces of every kind that come to lie across the end of the buffer at every distance.
+  for (const std::size_t before : {60U, 33U, 32U, 31U, 20U, 19U, 3U, 1U, 0U}) {
+    const std::string filling((1U << 20U) - before, 'x');
+    const std::string result = written([&](ByteSink& s) {
+      s.text(filling);
+      s.integer(-1234567890123456789);
+      s.text("abc");
+      s.real(-1.2345678901234568e-300);
+      s.little_endian(std::uint64_t{0x3031323334353637});
+      s.text(filling);
+    });
+    EXPECT_EQ(result,
+              filling + "-1234567890123456789abc-1.2345678901234568e-30076543210" + filling);
+  }
 }
 
 TEST(ByteSink, PutsTheLowestByteFirst) {
