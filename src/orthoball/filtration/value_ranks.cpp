@@ -176,18 +176,22 @@ void Ranking<D, A>::deal_labels(std::vector<LabelList>& lists) const {
 // Of some cells far apart and one face of each dimension of each.
 template <int D, int A>
 std::vector<double> Ranking<D, A>::sample_of_labels() const {
-  constexpr std::uint32_t kCells = 2048;
+  constexpr std::uint32_t kMostCells = 2048;
+  constexpr std::uint32_t kLeastStep = 8;
+  const std::uint32_t step = std::max(count(A) / kMostCells + 1, kLeastStep);
   std::vector<double> result;
-  const auto add = [&]<std::size_t Corners>(const CornerSites<Corners>& simplex) {
-    result.push_back(0.0);
-    squared_orthoradii<D, Corners>(sites_, {&simplex, 1}, std::span(result).last(1));
+  const auto add_faces = [&]<std::size_t Corners>() {
+    std::vector<CornerSites<Corners>> faces;
+    for (std::uint32_t cell = 0; cell < count(A); cell += step) {
+      const auto all = reader_.template corners<A>(cell);
+      std::copy_n(all.begin(), Corners, faces.emplace_back().begin());
+    }
+    result.resize(result.size() + faces.size());
+    squared_orthoradii<D, Corners>(sites_, faces, std::span(result).last(faces.size()));
   };
-  for (std::uint32_t cell = 0; cell < count(A); cell += count(A) / kCells + 1) {
-    const auto all = reader_.template corners<A>(cell);
-    add(all);
-    if constexpr (A >= 2) add(CornerSites<2>{all[0], all[1]});
-    if constexpr (A >= 3) add(CornerSites<3>{all[0], all[1], all[2]});
-  }
+  add_faces.template operator()<std::size_t{A} + 1>();
+  if constexpr (A >= 2) add_faces.template operator()<2>();
+  if constexpr (A >= 3) add_faces.template operator()<3>();
   return result;
 }
 
