@@ -94,6 +94,20 @@ ORTHOBALL_AVX2 void faces_in_fours(const CornerBlock<D, Corners>& block, SignTol
   faces_of_block(block, tolerance, faces);
 }
 
+template <int D, std::size_t Corners>
+ORTHOBALL_AVX512 void faces_in_eights(const CornerBlock<D, Corners>& block, SignTolerance tolerance,
+                                      std::int64_t* faces) {
+  faces_of_block(block, tolerance, faces);
+}
+
+template <int D, std::size_t Corners>
+void faces_here(const CornerBlock<D, Corners>& block, SignTolerance tolerance,
+                std::int64_t* faces) {
+  if (has_avx512()) return faces_in_eights(block, tolerance, faces);
+  if (has_avx2()) return faces_in_fours(block, tolerance, faces);
+  faces_anywhere(block, tolerance, faces);
+}
+
 // The same by filter and integers, simplex by simplex.
 template <int D, std::size_t Corners>
 std::uint16_t faces_of_one(const Sites<D>& sites, const CornerSites<Corners>& cell) {
@@ -115,20 +129,12 @@ void attached_faces(const Sites<D>& sites, std::span<const CornerSites<Corners>>
                     std::span<std::uint16_t> faces) {
   using Block = CornerBlock<D, Corners>;
   const SignTolerance tolerance = sign_tolerance(sites);
-  const bool in_fours = has_avx2();
   Block block{};
   std::array<std::int64_t, Block::kSize> found;
   for (std::size_t first = 0; first < cells.size(); first += Block::kSize) {
     const std::size_t size = std::min(Block::kSize, cells.size() - first);
-    for (std::size_t i = 0; i < size; ++i) {
-      for (std::size_t corner = 0; corner < Corners; ++corner) {
-        const Site<D>& site = sites[cells[first + i][corner]];
-        for (std::size_t axis = 0; axis < D; ++axis) block.x[corner][axis][i] = site.x[axis];
-        block.weight[corner][i] = site.weight;
-      }
-    }
-    in_fours ? faces_in_fours(block, tolerance, found.data())
-             : faces_anywhere(block, tolerance, found.data());
+    load_corners(sites, cells.subspan(first, size), block);
+    faces_here(block, tolerance, found.data());
     for (std::size_t i = 0; i < size; ++i) {
       faces[first + i] = (found[i] & 1) == 0 ? static_cast<std::uint16_t>(found[i])
                                              : faces_of_one<D>(sites, cells[first + i]);

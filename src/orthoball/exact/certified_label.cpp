@@ -3,8 +3,9 @@
 // Labels in pairs of doubles, with a forward error bound (docs/derivations/orthoradius.md).
 //
 // Everything about one simplex is one expression without branches or loops, so that a loop over a
-// block of simplices becomes vector instructions: two simplices at a time on any x86-64, four where
-// it has AVX2 and fused multiply-adds, which then replace the splitting of factors. Both are
+// block of simplices becomes vector instructions: two simplices at a time on any x86-64, four or
+// eight where it has AVX2 or AVX-512 and fused multiply-adds, which then replace the splitting of
+// factors. Both are
 // error-free products and a certified rounding is the correct one, so machines cannot differ.
 #include "orthoball/exact/certified_label.h"
 
@@ -155,8 +156,14 @@ void label_block_anywhere(const CornerBlock<D, Corners>& block, const LabelUnit&
 }
 
 template <int D, std::size_t Corners>
-ORTHOBALL_AVX2_FMA void label_block_fused(const CornerBlock<D, Corners>& block,
-                                          const LabelUnit& unit, double* labels) {
+ORTHOBALL_AVX2_FMA void label_block_in_fours(const CornerBlock<D, Corners>& block,
+                                             const LabelUnit& unit, double* labels) {
+  label_block<FusedProducts>(block, unit, labels);
+}
+
+template <int D, std::size_t Corners>
+ORTHOBALL_AVX512 void label_block_in_eights(const CornerBlock<D, Corners>& block,
+                                            const LabelUnit& unit, double* labels) {
   label_block<FusedProducts>(block, unit, labels);
 }
 
@@ -165,8 +172,9 @@ ORTHOBALL_AVX2_FMA void label_block_fused(const CornerBlock<D, Corners>& block,
 template <int D, std::size_t Corners>
 void certified_labels(const CornerBlock<D, Corners>& block, const LabelUnit& unit,
                       std::span<double, CornerBlock<D, Corners>::kSize> labels) {
-  has_avx2_fma() ? label_block_fused(block, unit, labels.data())
-                 : label_block_anywhere(block, unit, labels.data());
+  if (has_avx512()) return label_block_in_eights(block, unit, labels.data());
+  if (has_avx2_fma()) return label_block_in_fours(block, unit, labels.data());
+  label_block_anywhere(block, unit, labels.data());
 }
 
 template <int D, std::size_t Corners>

@@ -5,17 +5,9 @@
 #include <cstddef>
 #include <span>
 
-namespace orthoball {
+#include "orthoball/exact/corner_block.h"
 
-/// Many simplices' corners, one array a number, for loops that become vector instructions.
-template <int D, std::size_t Corners>
-struct CornerBlock {
-  static constexpr std::size_t kSize = 64;
-  std::array<std::array<std::array<double, kSize>, std::size_t{D}>, Corners>
-      x;                                                      ///< [corner][axis][simplex]
-  std::array<std::array<double, kSize>, Corners> weight;      ///< [corner][simplex]
-  std::array<std::array<double, kSize>, Corners> weight_low;  ///< 0 where weights are doubles
-};
+namespace orthoball {
 
 /// What labels of one set of sites have in common.
 struct LabelUnit {

@@ -46,27 +46,28 @@ std::optional<LabelUnit> label_unit(const Sites<D>& sites) {
                    sites.weight_error() == 0.0 ? 0.0 : 1.0};
 }
 
+// The corners of a few simplices; their weights as they are where a double cannot hold them.
 template <int D, std::size_t Corners>
-void load(const Sites<D>& sites, const CornerSites<Corners>& simplex, std::size_t i,
+void load(const Sites<D>& sites, std::span<const CornerSites<Corners>> simplices,
           CornerBlock<D, Corners>& block) {
-  for (std::size_t corner = 0; corner < Corners; ++corner) {
-    const Site<D>& site = sites[simplex[corner]];
-    for (std::size_t axis = 0; axis < D; ++axis) block.x[corner][axis][i] = site.x[axis];
-    block.weight[corner][i] = site.weight;
-    block.weight_low[corner][i] = 0.0;
-    if (sites.weight_error() == 0.0) continue;
-    const ExactSite<D> exact = sites.exact(simplex[corner]);
-    const int shift =
-        exact.weight_exponent + 2 * (sites.scale_exponent() - sites.exact_scale_exponent());
-    block.weight[corner][i] = std::ldexp(exact.weight_high, shift);
-    block.weight_low[corner][i] = std::ldexp(exact.weight_low, shift);
+  load_corners(sites, simplices, block);
+  if (sites.weight_error() == 0.0) return;
+  for (std::size_t i = 0; i < simplices.size(); ++i) {
+    for (std::size_t corner = 0; corner < Corners; ++corner) {
+      const ExactSite<D> exact = sites.exact(simplices[i][corner]);
+      const int shift =
+          exact.weight_exponent + 2 * (sites.scale_exponent() - sites.exact_scale_exponent());
+      block.weight[corner][i] = std::ldexp(exact.weight_high, shift);
+      block.weight_low[corner][i] = std::ldexp(exact.weight_low, shift);
+    }
   }
 }
 
 template <int D, std::size_t Corners>
 CornerBlock<D, Corners> block_of_one(const Sites<D>& sites, const CornerSites<Corners>& simplex) {
   CornerBlock<D, Corners> block;
-  load(sites, simplex, 0, block);
+  for (auto& weight_low : block.weight_low) weight_low[0] = 0.0;
+  load<D, Corners>(sites, {&simplex, 1}, block);
   return block;
 }
 
@@ -188,7 +189,7 @@ void squared_orthoradii(const Sites<D>& sites, std::span<const CornerSites<Corne
     for (std::size_t first = 0; first < simplices.size(); first += kBlock) {
       const std::size_t size = std::min(kBlock, simplices.size() - first);
       if (unit) {
-        for (std::size_t i = 0; i < size; ++i) load(sites, simplices[first + i], i, block);
+        load(sites, simplices.subspan(first, size), block);
         certified_labels(block, *unit, std::span(found));
       }
       for (std::size_t i = 0; i < size; ++i) {

@@ -9,14 +9,11 @@
 #include <span>
 
 #include "orthoball/exact/certified_label.h"
+#include "orthoball/exact/corner_block.h"
 #include "orthoball/exact/sign.h"
 #include "orthoball/exact/sites.h"
 
 namespace orthoball {
-
-/// A simplex by the inside numbers of its vertices, which are affinely independent, in any order.
-template <std::size_t Corners>
-using CornerSites = std::array<std::uint32_t, Corners>;
 
 /// Which facets of a simplex are attached by their opposite vertex: bit i is set where the site of
 /// vertex i has less power than the squared orthoradius at the orthocentre of the facet opposite,

@@ -1,134 +1,198 @@
 // SPDX-License-Identifier: MIT
 //
-// Edges numbered by what each cell has in common with smaller ones. Cells are taken in ascending
-// order. A cell takes over the names of the edges of every facet that it shares with a smaller
-// cell; an edge that it finds on none of these gets a new name. So a ring of cells around an edge
-// has a name for each cell that is smaller than both its neighbours in the ring, the first from the
-// smallest of all; where two names meet, at the latest in the ring's largest cell, they are united.
-// A name's root is the first name of its edge; the roots, in order, are the edges.
+// Edges numbered by what each cell has in common with smaller ones. First they have names
+// (edge_names.h), several where a ring of cells is met in several places; the roots of united
+// names, in order, are the edges.
 //
-// No ring is walked: a step around an edge waits for the one before, while all that is read here is
-// known beforehand.
-//
-// Corners ascend but for the last two, so the common facet of two cells has its corners in the same
-// order in both if these two change places where they descend. That is how slots are written until
-// the names become numbers.
+// Each range of cells names its edges by itself, at the same time as others. Then names are united
+// across the facets between ranges. Such a union makes a root of a range point to a name of a
+// range before: these few `crossings` take their number from their root when all roots have
+// numbers; until then they, and all names below them, have numbers from first_crossing_ on.
 #include "orthoball/filtration/edge_numbers.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <utility>
 
 #include "orthoball/exact/unrolled.h"
+#include "orthoball/filtration/edge_names.h"
 
 namespace orthoball {
 namespace {
 
-constexpr std::uint32_t kNameless = 0xFFFFFFFFU;
-
-// The slots of a facet's edges, by the corner opposite; corners and slots in ascending order.
-constexpr std::array<std::array<std::uint8_t, 3>, 4> kFacetSlots{
-    {{3, 4, 5}, {1, 2, 5}, {0, 2, 4}, {0, 1, 3}}};
-
-// Slots where the last two corners change places: where each comes from.
-constexpr std::array<std::array<std::uint8_t, 6>, 2> kAscendingSlot{
-    {{0, 1, 2, 3, 4, 5}, {0, 2, 1, 4, 3, 5}}};
-
-// The place of a corner when all ascend.
-unsigned ascending_corner(unsigned corner, unsigned descends) {
-  return corner ^ (corner >> 1U & descends);
-}
-
-// Names from 0 on, each with a smaller one that it is united with, or itself.
-class EdgeNames {
+class Numbering {
  public:
-  explicit EdgeNames(std::size_t cells) { parents_.reserve(2 * cells + kStep); }
+  Numbering(std::span<const CellRecord<3>> cells, std::size_t ranges, Threads threads)
+      : cells_(cells), threads_(threads), ranges_(ranges), names_(cells.size()) {
+    result_.of_cells.resize(cells.size());
+  }
 
-  // Writes the names of a cell's edges, with a new one, in order, for each that has none. Without
-  // branches: which slots are new is hard to foretell.
-  void complete(const std::array<std::uint32_t, 6>& known, const std::array<std::uint8_t, 6>& order,
-                std::array<std::uint32_t, 6>& names) {
-    if (parents_.size() < size_ + names.size()) parents_.resize(parents_.size() + kStep);
-    for (const unsigned slot : order) {
-      parents_[size_] = size_;
-      const bool is_new = known[slot] == kNameless;
-      names[slot] = is_new ? size_ : known[slot];
-      size_ += is_new ? 1 : 0;
-    }
+  EdgeNumbers numbers() {
+    name_all();
+    if (ranges_.size() > 1) unite_across_ranges();
+    number_all();
+    for_each_range([&](Range& range) { write(range); });
+    result_.owners.pop_back();
+    return std::move(result_);
   }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    if (a == b) return;
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-  // Ends the names: from here on, number() is known. Returns the number of edges.
-  std::uint32_t number_all() {
-    std::uint32_t next = 0;
-    for (std::uint32_t name = 0; name < size_; ++name) {
-      const std::uint32_t parent = parents_[name];  // a smaller one has its number
-      const bool is_root = parent == name;
-      parents_[name] = is_root ? next : parents_[parent];
-      next += is_root ? 1 : 0;
-    }
-    return next;
-  }
-  [[nodiscard]] std::uint32_t number(std::uint32_t name) const { return parents_[name]; }
 
  private:
-  static constexpr std::size_t kStep = std::size_t{1} << 16U;
+  struct Range {
+    CellRange cells;
+    std::uint32_t end_name;
+    std::uint32_t first_number;  // of the edges that it owns; before, how many these are
+    std::uint32_t end_number;
+    std::uint32_t first_crossing;              // what stands for the first of its crossings
+    std::vector<std::uint32_t> facets_across;  // 4 * cell + corner, to ranges before
+    std::vector<std::uint32_t> crossings;      // names whose parents are of ranges before
+  };
 
-  std::uint32_t root(std::uint32_t name) {
-    while (parents_[name] != name) name = parents_[name] = parents_[parents_[name]];
-    return name;
+  template <class Visit>
+  void for_each_range(const Visit& visit) {
+    parallel_for(threads_, ranges_.size(), [&](std::size_t i) { visit(ranges_[i]); });
   }
 
-  std::vector<std::uint32_t> parents_;  // [name]: never larger; some to spare behind the last name
-  std::uint32_t size_ = 0;
+  void name_all();
+  void collect_facets_across(Range& range) const;
+  void unite_across_ranges();
+  void number_all();
+  void count(Range& range) const;
+  void number(const Range& range);
+  void write(const Range& range);
+
+  std::span<const CellRecord<3>> cells_;
+  Threads threads_;
+  std::vector<Range> ranges_;
+  EdgeNames names_;
+  std::vector<std::uint32_t> number_of_crossing_;  // [crossing - first_crossing_]
+  std::uint32_t first_crossing_ = 0xFFFFFFFFU;     // edges and crossings are fewer than names
+  EdgeNumbers result_;
 };
+
+void Numbering::name_all() {
+  parallel_parts(
+      threads_, cells_.size(), ranges_.size(),
+      [&](std::size_t i, std::size_t begin, std::size_t end) {
+        Range& range = ranges_[i];
+        range.cells = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+        range.end_name = name_edges(cells_, range.cells, result_.of_cells.data(), names_);
+        if (begin > 0) collect_facets_across(range);
+      });
+}
+
+void Numbering::collect_facets_across(Range& range) const {
+  for (std::uint32_t cell = range.cells.begin; cell < range.cells.end; ++cell) {
+    for (std::uint32_t corner = 0; corner < 4; ++corner) {
+      if (cells_[cell].neighbours[corner] / 4 < range.cells.begin) {
+        range.facets_across.push_back(4 * cell + corner);
+      }
+    }
+  }
+}
+
+void Numbering::unite_across_ranges() {
+  for (const Range& range : ranges_) {
+    for (const std::uint32_t facet : range.facets_across) {
+      const std::uint32_t cell = facet / 4;
+      const std::uint32_t beyond = cells_[cell].neighbours[facet % 4];
+      const auto& here = kFacetSlots[ascending_corner(facet % 4, descends(cells_[cell]))];
+      const auto& there = kFacetSlots[ascending_corner(beyond % 4, descends(cells_[beyond / 4]))];
+      for (std::size_t i = 0; i < 3; ++i) {
+        names_.unite(result_.of_cells[cell][here[i]], result_.of_cells[beyond / 4][there[i]]);
+      }
+    }
+  }
+}
+
+// Ends the names: from here on number_of() is known.
+void Numbering::number_all() {
+  for_each_range([&](Range& range) { count(range); });
+  std::uint32_t edges = 0;
+  std::uint32_t crossings = 0;
+  for (Range& range : ranges_) {
+    edges += std::exchange(range.first_number, edges);
+    range.end_number = edges;
+    crossings += static_cast<std::uint32_t>(range.crossings.size());
+  }
+  first_crossing_ -= crossings;
+  std::uint32_t next = first_crossing_;
+  for (Range& range : ranges_) {
+    range.first_crossing = next;
+    next += static_cast<std::uint32_t>(range.crossings.size());
+    for (const std::uint32_t name : range.crossings) {
+      number_of_crossing_.push_back(names_.root_now(name));
+    }
+  }
+  for_each_range([&](const Range& range) { number(range); });
+  for (std::uint32_t& root : number_of_crossing_) root = names_[root];
+  result_.owners.resize(edges + std::size_t{1});  // the last means nothing
+}
+
+// The roots, and the names below others of ranges before.
+void Numbering::count(Range& range) const {
+  const std::uint32_t first = 6 * range.cells.begin;
+  range.first_number = 0;
+  for (std::uint32_t name = first; name < range.end_name; ++name) {
+    range.first_number += names_[name] == name ? 1U : 0U;
+    if (names_[name] < first) range.crossings.push_back(name);
+  }
+}
+
+void Numbering::number(const Range& range) {
+  const std::uint32_t first = 6 * range.cells.begin;
+  std::uint32_t next = range.first_number;
+  std::uint32_t next_crossing = range.first_crossing;
+  for (std::uint32_t name = first; name < range.end_name; ++name) {
+    const std::uint32_t parent = names_[name];
+    if (parent < first) {
+      names_[name] = next_crossing++;
+      continue;
+    }
+    const bool is_root = parent == name;
+    names_[name] = is_root ? next : names_[parent];  // a smaller one has its number
+    next += is_root ? 1 : 0;
+  }
+}
+
+// From names to numbers. An edge is met for the first time where its number is none of those
+// before.
+void Numbering::write(const Range& range) {
+  std::uint32_t next = range.first_number;
+  const std::uint32_t first_crossing = first_crossing_;
+  const std::uint32_t* const names = names_.parents();
+  std::array<std::uint32_t, 6>* const of_cells = result_.of_cells.data();
+  std::uint32_t* const owners = result_.owners.data();
+  const auto nowhere = static_cast<std::uint32_t>(result_.owners.size()) - 1;
+  for (std::uint32_t cell = range.cells.begin; cell < range.cells.end; ++cell) {
+    const auto& order = kAscendingSlot[descends(cells_[cell])];
+    std::array<std::uint32_t, 6> edges;
+    unrolled<6>([&](std::size_t slot) { edges[slot] = names[of_cells[cell][order[slot]]]; });
+    std::uint32_t end = next;
+    unrolled<6>([&](std::size_t slot) {
+      std::uint32_t& edge = edges[slot];
+      if (edge >= first_crossing) edge = number_of_crossing_[edge - first_crossing];
+      const std::uint32_t met = 0U - static_cast<std::uint32_t>(edge < next);
+      std::atomic_ref(owners[(edge & ~met) | (nowhere & met)])
+          .store(6 * cell + static_cast<std::uint32_t>(slot), std::memory_order_relaxed);
+      end = std::max(end, edge + 1);
+    });
+    of_cells[cell] = edges;
+    next = end;
+  }
+}
 
 }  // namespace
 
-EdgeNumbers edge_numbers(std::span<const CellRecord<3>> cells) {
-  EdgeNumbers result;
-  result.of_cells.reserve(cells.size());
-  EdgeNames names(cells.size());
-  std::vector<std::uint8_t> descending(cells.size());  // whether the last two corners are
-  for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
-    const auto& corners = cells[cell].corners;
-    const unsigned descends = corners[3] < corners[2] ? 1 : 0;
-    descending[cell] = static_cast<std::uint8_t>(descends);
-    std::array<std::uint32_t, 6> edges;
-    edges.fill(kNameless);
-    for (unsigned corner = 0; corner < 4; ++corner) {
-      const std::uint32_t beyond = cells[cell].neighbours[corner];
-      if (beyond / 4 >= cell) continue;  // kOutside, too
-      const auto& others = result.of_cells[beyond / 4];
-      const auto& here = kFacetSlots[ascending_corner(corner, descends)];
-      const auto& there = kFacetSlots[ascending_corner(beyond % 4, descending[beyond / 4])];
-      unrolled<3>([&](std::size_t i) {
-        const std::uint32_t mine = edges[here[i]];
-        const std::uint32_t other = others[there[i]];
-        if (mine != other && mine != kNameless) names.unite(mine, other);
-        edges[here[i]] = std::min(mine, other);
-      });
-    }
-    names.complete(edges, kAscendingSlot[descends], result.of_cells.emplace_back());
-  }
+EdgeNumbers edge_numbers_in_ranges(std::span<const CellRecord<3>> cells, std::size_t ranges,
+                                   Threads threads) {
+  return Numbering(cells, ranges, threads).numbers();
+}
 
-  result.owners.resize(names.number_all() + std::size_t{1});  // one to spare
-  std::uint32_t next = 0;
-  for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
-    const auto names_of_cell = result.of_cells[cell];
-    const auto& order = kAscendingSlot[descending[cell]];
-    for (std::uint32_t slot = 0; slot < 6; ++slot) {
-      const std::uint32_t edge = names.number(names_of_cell[order[slot]]);
-      result.of_cells[cell][slot] = edge;
-      result.owners[next] = 6 * cell + slot;
-      next += edge == next ? 1 : 0;  // met for the first time
-    }
-  }
-  result.owners.pop_back();
-  return result;
+EdgeNumbers edge_numbers(std::span<const CellRecord<3>> cells, Threads threads) {
+  constexpr std::size_t kLeast = std::size_t{1} << 16U;
+  const Threads used = threads.for_work(cells.size(), kLeast);
+  return edge_numbers_in_ranges(cells, used.count(), used);
 }
 
 }  // namespace orthoball

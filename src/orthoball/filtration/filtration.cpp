@@ -2,65 +2,38 @@
 #include "orthoball/filtration/filtration.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <utility>
+
+#include "orthoball/filtration/attached_simplices.h"
+#include "orthoball/filtration/filter_order.h"
+#include "orthoball/filtration/value_ranks.h"
 
 namespace orthoball {
 namespace {
 
-// Where the elements of each of `counts` begin.
-void sum_before(std::span<std::uint32_t> counts) {
-  std::uint32_t first = 0;
-  for (std::uint32_t& count : counts) first += std::exchange(count, first);
-}
-
-// Simplices by (enters, number), and numbers ascend with dimensions: two stable counting sorts, by
-// the upper half of the index, then within each bucket by the lower half, which stays in the cache.
-// Sets the bit of each position in `starts` at which an index starts.
-std::vector<SimplexId> sorted_by(std::span<const std::uint32_t> enters, std::uint32_t indices,
-                                 std::vector<std::uint64_t>& starts) {
-  std::vector<std::uint32_t> first((indices >> 16U) + 2, 0);
-  for (const std::uint32_t index : enters) ++first[index >> 16U];
-  sum_before(first);
-  std::vector<SimplexId> sorted(enters.size());
-  std::vector<std::uint16_t> lower(enters.size());  // [place]
-  std::vector<std::uint32_t> next = first;
-  for (std::uint32_t simplex = 0; simplex < enters.size(); ++simplex) {
-    const std::uint32_t place = next[enters[simplex] >> 16U]++;
-    sorted[place] = SimplexId(simplex);
-    lower[place] = static_cast<std::uint16_t>(enters[simplex]);
-  }
-
-  std::vector<SimplexId> bucket;
-  for (std::size_t upper = 0; upper + 1 < first.size(); ++upper) {
-    const auto begin = sorted.begin() + first[upper];
-    bucket.assign(begin, sorted.begin() + first[upper + 1]);
-    next.assign(std::size_t{1} << 16U, 0);
-    for (std::size_t i = 0; i < bucket.size(); ++i) ++next[lower[first[upper] + i]];
-    sum_before(next);
-    for (std::uint32_t start : next) {
-      start += first[upper];
-      starts[start / 64] |= std::uint64_t{1} << start % 64;
-    }
-    for (std::size_t i = 0; i < bucket.size(); ++i) {
-      begin[next[lower[first[upper] + i]]++] = bucket[i];
-    }
-  }
-  return sorted;
+std::size_t count_ones(std::span<const std::uint64_t> words) {
+  std::size_t ones = 0;
+  for (const std::uint64_t word : words) ones += static_cast<std::size_t>(std::popcount(word));
+  return ones;
 }
 
 }  // namespace
 
 template <int D>
-Filtration<D>::Filtration(RegularTriangulation<D> triangulation)
+Filtration<D>::Filtration(RegularTriangulation<D> triangulation, Threads threads)
     : triangulation_(std::move(triangulation)) {
-  {
-    typename SimplexTable<D>::EdgesOfCells edges_of_cells;
-    table_ = SimplexTable<D>(triangulation_, edges_of_cells);
-    critical_ = critical_alpha2(triangulation_, table_, edges_of_cells);
-  }
-  index_starts_.assign(size() / 64 + 1, 0);
-  filter_ = sorted_by(critical_.enters, spectrum_size(), index_starts_);
+  typename SimplexTable<D>::EdgesOfCells edges_of_cells;
+  table_ = SimplexTable<D>(triangulation_, edges_of_cells, threads);
+  is_attached_ = attached_simplices(triangulation_, table_, edges_of_cells, threads);
+  RawVector<SimplexId> order(size() - count_ones(is_attached_));
+  ValueRanks ranks = value_ranks(triangulation_, table_, is_attached_, std::span(order), threads);
+  spectrum_ = std::move(ranks.spectrum);
+  indices_ = critical_indices(triangulation_, table_, edges_of_cells, is_attached_, order,
+                              ranks.starts, threads);
+  edges_of_cells = typename SimplexTable<D>::EdgesOfCells();
+  filter_.resize(size());
+  index_starts_ = fill_filter(order, ranks.starts, indices_.enters, is_attached_, threads, filter_);
 }
 
 template <int D>

@@ -8,9 +8,12 @@
 #include <span>
 #include <vector>
 
-#include "orthoball/filtration/critical_alpha2.h"
+#include "orthoball/filtration/bit_run.h"
+#include "orthoball/filtration/critical_indices.h"
+#include "orthoball/filtration/raw_vector.h"
 #include "orthoball/filtration/simplex_table.h"
 #include "orthoball/ids.h"
+#include "orthoball/parallel.h"
 #include "orthoball/triangulation/regular_triangulation.h"
 
 namespace orthoball {
@@ -33,8 +36,9 @@ template <int D>
 class Filtration {
  public:
   Filtration() = default;  // of no sites
+  /// The same on any number of threads.
   /// @throws LimitError as SimplexTable does.
-  explicit Filtration(RegularTriangulation<D> triangulation);
+  explicit Filtration(RegularTriangulation<D> triangulation, Threads threads = {});
 
   [[nodiscard]] const RegularTriangulation<D>& triangulation() const { return triangulation_; }
   [[nodiscard]] const SimplexTable<D>& table() const { return table_; }
@@ -60,20 +64,20 @@ class Filtration {
   }
   /// Whether some other site q has pi_q(centre) < squared orthoradius. Exact.
   [[nodiscard]] bool is_attached(SimplexId simplex) const {
-    return critical_.is_attached[simplex.row()];
+    return bit_at(is_attached_.data(), simplex.row());
   }
 
   // The spectrum.
 
   /// s, the number of exactly distinct values.
   [[nodiscard]] std::uint32_t spectrum_size() const {
-    return static_cast<std::uint32_t>(critical_.spectrum.size());
+    return static_cast<std::uint32_t>(spectrum_.size());
   }
   /// [index - 1]: the double nearest to each value, length^2 in input units; never decreasing, two
   /// entries may share one. Infinite where a value is beyond the double range.
-  [[nodiscard]] std::span<const double> spectrum() const { return critical_.spectrum; }
+  [[nodiscard]] std::span<const double> spectrum() const { return spectrum_; }
   /// Label of an index in 1..s. Correctly rounded; length^2 in input units.
-  [[nodiscard]] double alpha2(std::uint32_t index) const { return critical_.spectrum[index - 1]; }
+  [[nodiscard]] double alpha2(std::uint32_t index) const { return spectrum_[index - 1]; }
   /// The number of entries whose label is <= alpha2: a closed threshold. O(log s).
   [[nodiscard]] std::uint32_t index(double alpha2) const;
   /// s + 1, the index of what does not happen.
@@ -83,19 +87,19 @@ class Filtration {
 
   /// Index at which it joins the complex.
   [[nodiscard]] std::uint32_t enters(SimplexId simplex) const {
-    return critical_.enters[simplex.row()];
+    return indices_.enters[simplex.row()];
   }
   /// Index at which its first proper coface joins: enters() for a D-simplex, never() for a simplex
   /// without cofaces where the sites span less than R^D.
   [[nodiscard]] std::uint32_t regular(SimplexId simplex) const {
-    if (simplex.row() < critical_.roles.size()) return critical_.roles[simplex.row()].regular;
+    if (simplex.row() < indices_.roles.size()) return indices_.roles[simplex.row()].regular;
     const auto [cell, other] = entering_beside(simplex);
     return std::min(cell, other);
   }
   /// Index from which it is inside the shape: enters() for a D-simplex, never() on the convex hull
   /// and where the sites span less than R^D.
   [[nodiscard]] std::uint32_t interior(SimplexId simplex) const {
-    if (simplex.row() < critical_.roles.size()) return critical_.roles[simplex.row()].interior;
+    if (simplex.row() < indices_.roles.size()) return indices_.roles[simplex.row()].interior;
     const auto [cell, other] = entering_beside(simplex);
     return std::max(cell, other);
   }
@@ -107,7 +111,7 @@ class Filtration {
   }
 
   /// [simplex]: enters() of all, for loops over millions of them.
-  [[nodiscard]] std::span<const std::uint32_t> enters() const { return critical_.enters; }
+  [[nodiscard]] std::span<const std::uint32_t> enters() const { return indices_.enters; }
 
   // The filter.
 
@@ -116,7 +120,7 @@ class Filtration {
   /// Whether the simplex at a position of filter(), from 0, is the first to enter at its index.
   /// True of the position behind the last.
   [[nodiscard]] bool starts_index(std::size_t position) const {
-    return (index_starts_[position / 64] >> position % 64 & 1U) != 0;
+    return bit_at(index_starts_.data(), position);
   }
   /// Length of the prefix of filter() that is K_index. O(log n).
   [[nodiscard]] std::size_t complex_size(std::uint32_t index) const;
@@ -132,7 +136,7 @@ class Filtration {
     if (simplex.row() >= table_.first(D)) return {enters(simplex), enters(simplex)};
     const std::uint32_t owner = table_.facet_owners()[simplex.row() - table_.first(D - 1)];
     const auto enters_of_cell = [&](std::uint32_t cell) {
-      return critical_.enters[table_.first(D) + cell];
+      return indices_.enters[table_.first(D) + cell];
     };
     const std::uint32_t beyond =
         triangulation_.template cells<D>()[owner / 4].neighbours[owner % 4];
@@ -141,8 +145,10 @@ class Filtration {
 
   RegularTriangulation<D> triangulation_;
   SimplexTable<D> table_;
-  CriticalAlpha2 critical_;
-  std::vector<SimplexId> filter_;               // [position]
+  std::vector<std::uint64_t> is_attached_;      // bit per simplex
+  RawVector<double> spectrum_;                  // [index - 1]
+  CriticalIndices indices_;                     // by simplex
+  RawVector<SimplexId> filter_;                 // [position]
   std::vector<std::uint64_t> index_starts_{1};  // bit per position, see starts_index
 };
 

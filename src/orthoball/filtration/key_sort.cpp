@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t kFew = 24;
 constexpr int kMostDigitBits = 12;
 
+}  // namespace
+
 void insert_in_order(std::span<std::uint64_t> keys, std::span<std::uint32_t> rows) {
   for (std::size_t i = 1; i < keys.size(); ++i) {
     const std::uint64_t key = keys[i];
@@ -30,8 +32,6 @@ void insert_in_order(std::span<std::uint64_t> keys, std::span<std::uint32_t> row
     rows[place] = row;
   }
 }
-
-}  // namespace
 
 void KeySorter::sort(std::span<std::uint64_t> keys, std::span<std::uint32_t> rows) {
   distribute(keys, rows);

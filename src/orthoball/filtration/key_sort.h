@@ -13,8 +13,7 @@ namespace orthoball {
 /// passes. Keeps as much memory as the longest list so far.
 class KeySorter {
  public:
-  /// `rows[i]` stays beside its key; rows with equal keys are in an order that depends on nothing
-  /// but the order given.
+  /// `rows[i]` stays beside its key; rows with equal keys keep their order.
   void sort(std::span<std::uint64_t> keys, std::span<std::uint32_t> rows);
 
  private:
@@ -23,5 +22,8 @@ class KeySorter {
   std::vector<std::uint64_t> spare_keys_;
   std::vector<std::uint32_t> spare_rows_;
 };
+
+/// Sorts keys that are nearly in order already, and rows with them, stably: insertion.
+void insert_in_order(std::span<std::uint64_t> keys, std::span<std::uint32_t> rows);
 
 }  // namespace orthoball

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace orthoball {
@@ -15,6 +17,8 @@ class RankedBits {
   RankedBits() = default;
   /// Of no numbers; all that will be added are below `size`.
   explicit RankedBits(std::size_t size) : words_(size / 64 + 1, 0) {}
+  /// Those whose bits are set, 64 to a word, the lowest first; no number is added to them.
+  explicit RankedBits(std::vector<std::uint64_t> words) : words_(std::move(words)) { count_all(); }
 
   void add(std::uint32_t number) { words_[number / 64] |= std::uint64_t{1} << number % 64; }
   /// After the last `add`, before the first `rank`.
@@ -29,6 +33,21 @@ class RankedBits {
     return sum;
   }
 
+  [[nodiscard]] bool contains(std::uint32_t number) const {
+    return (words_[number / 64] >> number % 64 & 1U) != 0;
+  }
+  [[nodiscard]] std::size_t word_count() const { return words_.size(); }
+  /// How many numbers there are, after count_all.
+  [[nodiscard]] std::uint32_t count() const {
+    return words_.empty() ? 0 : before_.back() + ones(words_.back());
+  }
+  /// The number of which `rank` are less, rank < count(). O(log n).
+  [[nodiscard]] std::uint32_t number_of(std::uint32_t rank) const {
+    const auto word = std::upper_bound(before_.begin(), before_.end(), rank) - before_.begin() - 1;
+    std::uint64_t rest = words_[static_cast<std::size_t>(word)];
+    for (std::uint32_t i = before_[static_cast<std::size_t>(word)]; i < rank; ++i) rest &= rest - 1;
+    return static_cast<std::uint32_t>(64 * word + std::countr_zero(rest));
+  }
   /// How many of the numbers are less.
   [[nodiscard]] std::uint32_t rank(std::uint32_t number) const {
     const std::uint64_t below = (std::uint64_t{1} << number % 64) - 1;
@@ -37,7 +56,12 @@ class RankedBits {
   /// Calls `visit(number)` for every number, ascending.
   template <class Visit>
   void for_each(const Visit& visit) const {
-    for (std::size_t i = 0; i < words_.size(); ++i) {
+    for_each(0, words_.size(), visit);
+  }
+  /// The same for the numbers from 64 * begin to 64 * end - 1.
+  template <class Visit>
+  void for_each(std::size_t begin, std::size_t end, const Visit& visit) const {
+    for (std::size_t i = begin; i < end; ++i) {
       for (std::uint64_t rest = words_[i]; rest != 0; rest &= rest - 1) {
         visit(static_cast<std::uint32_t>(64 * i) +
               static_cast<std::uint32_t>(std::countr_zero(rest)));

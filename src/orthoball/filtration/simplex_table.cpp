@@ -53,7 +53,7 @@ SimplexTable<D>::SimplexTable(const RegularTriangulation<D>& triangulation) {
 
 template <int D>
 SimplexTable<D>::SimplexTable(const RegularTriangulation<D>& triangulation,
-                              EdgesOfCells& edges_of_cells) {
+                              EdgesOfCells& edges_of_cells, Threads threads) {
   edges_of_cells.clear();
   std::array<std::size_t, std::size_t{D} + 1> counts{};
   counts[0] = triangulation.vertex_count();
@@ -61,10 +61,10 @@ SimplexTable<D>::SimplexTable(const RegularTriangulation<D>& triangulation,
     if constexpr (A >= 1) {
       const auto cells = triangulation.template cells<A>();
       counts[A] = cells.size();
-      add_facets<A>(cells);
+      add_facets<A>(cells, threads);
       counts[A - 1] = facet_owners_.size();
       if constexpr (A == 3) {
-        add_edges(cells, edges_of_cells);
+        add_edges(cells, edges_of_cells, threads);
         counts[1] = edge_owners_.size();
       }
     }
@@ -80,35 +80,51 @@ SimplexTable<D>::SimplexTable(const RegularTriangulation<D>& triangulation,
 
 template <int D>
 template <int A>
-void SimplexTable<D>::add_facets(std::span<const CellRecord<A>> cells) {
-  owned_facets_ = RankedBits(4 * cells.size());
-  for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
-    for (unsigned corner = 0; corner <= A; ++corner) {
-      // kOutside is larger than any cell, too.
-      if (cells[cell].neighbours[corner] / 4 > cell) owned_facets_.add(4 * cell + corner);
-    }
-  }
-  const std::size_t facets = owned_facets_.count_all();
-  require_numbers(facets + cells.size());
+void SimplexTable<D>::add_facets(std::span<const CellRecord<A>> cells, Threads threads) {
+  constexpr std::size_t kCells = 16;  // of a word of bits
+  constexpr std::size_t kLeastWords = std::size_t{1} << 12U;
+  std::vector<std::uint64_t> owned(cells.size() / kCells + 1, 0);
+  const std::size_t parts = owned.size() / kLeastWords + 1;
+  parallel_parts(threads, owned.size(), parts,
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   for (std::size_t word = begin; word < end; ++word) {
+                     const std::size_t first = kCells * word;
+                     const std::size_t size = std::min(kCells, cells.size() - first);
+                     for (std::size_t i = 0; i < size; ++i) {
+                       for (std::size_t corner = 0; corner <= A; ++corner) {
+                         // kOutside is larger than any cell, too.
+                         const bool is_owned = cells[first + i].neighbours[corner] / 4 > first + i;
+                         owned[word] |= std::uint64_t{is_owned} << (4 * i + corner);
+                       }
+                     }
+                   }
+                 });
+  owned_facets_ = RankedBits(std::move(owned));
+  require_numbers(owned_facets_.count() + cells.size());
+  facet_owners_.resize(owned_facets_.count());
   if constexpr (A == 1) {  // facets are vertices, which have their numbers
-    facet_owners_.resize(facets);
     owned_facets_.for_each([&](std::uint32_t owner) {
       facet_owners_[cells[owner / 4].corners[1 - owner % 4]] = owner;
     });
   } else {
-    facet_owners_.reserve(facets);
-    owned_facets_.for_each([&](std::uint32_t owner) { facet_owners_.push_back(owner); });
+    parallel_parts(threads, owned_facets_.word_count(), parts,
+                   [&](std::size_t, std::size_t begin, std::size_t end) {
+                     std::uint32_t facet =
+                         owned_facets_.rank(static_cast<std::uint32_t>(64 * begin));
+                     owned_facets_.for_each(
+                         begin, end, [&](std::uint32_t owner) { facet_owners_[facet++] = owner; });
+                   });
   }
 }
 
 template <int D>
-void SimplexTable<D>::add_edges(std::span<const CellRecord<3>> cells,
-                                EdgesOfCells& edges_of_cells) {
+void SimplexTable<D>::add_edges(std::span<const CellRecord<3>> cells, EdgesOfCells& edges_of_cells,
+                                Threads threads) {
   if (cells.size() >= 0xFFFFFFFFU / 6) {
     throw LimitError("the triangulation has " + std::to_string(cells.size()) +
                      " tetrahedra; at most 715827881 can be handled");
   }
-  EdgeNumbers edges = edge_numbers(cells);
+  EdgeNumbers edges = edge_numbers(cells, threads);
   edges_of_cells = std::move(edges.of_cells);
   edge_owners_ = std::move(edges.owners);
   owned_edges_ = RankedBits(6 * cells.size());

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "orthoball/filtration/ranked_bits.h"
+#include "orthoball/filtration/raw_vector.h"
 #include "orthoball/ids.h"
+#include "orthoball/parallel.h"
 #include "orthoball/triangulation/regular_triangulation.h"
 
 namespace orthoball {
@@ -50,14 +52,15 @@ template <int D>
 class SimplexTable {
  public:
   /// [cell][slot]: number of the edge within its dimension; empty unless the cells are tetrahedra.
-  using EdgesOfCells = std::vector<std::array<std::uint32_t, 6>>;
+  using EdgesOfCells = RawVector<std::array<std::uint32_t, 6>>;
 
   SimplexTable() = default;
   /// @throws LimitError for 2^32 - 1 simplices or 2^32 / 6 tetrahedra or more.
   explicit SimplexTable(const RegularTriangulation<D>& triangulation);
   /// The same, and the edges of every tetrahedron as a by-product (24 bytes each).
   /// @throws LimitError likewise.
-  SimplexTable(const RegularTriangulation<D>& triangulation, EdgesOfCells& edges_of_cells);
+  SimplexTable(const RegularTriangulation<D>& triangulation, EdgesOfCells& edges_of_cells,
+               Threads threads = {});
 
   /// Number of simplices of a dimension 0..D.
   [[nodiscard]] std::size_t count(int dimension) const {
@@ -97,23 +100,32 @@ class SimplexTable {
     const std::uint32_t beyond = cells[cell].neighbours[corner];
     return owned_facets_.rank(beyond / 4 < cell ? beyond : 4 * cell + corner);
   }
+  /// How many facets are owned by cells before this one: the number of its first.
+  [[nodiscard]] std::uint32_t facets_owned_before(std::uint32_t cell) const {
+    return owned_facets_.rank(4 * cell);
+  }
+  /// The same of edges in space.
+  [[nodiscard]] std::uint32_t edges_owned_before(std::uint32_t cell) const {
+    return owned_edges_.rank(6 * cell);
+  }
   /// [facet]: 4 * cell + corner, the owner of a facet and the corner opposite.
-  [[nodiscard]] const std::vector<std::uint32_t>& facet_owners() const { return facet_owners_; }
+  [[nodiscard]] std::span<const std::uint32_t> facet_owners() const { return facet_owners_; }
   /// [edge]: 6 * cell + slot, the owner of an edge and its place in it; affine dimension 3 only.
-  [[nodiscard]] const std::vector<std::uint32_t>& edge_owners() const { return edge_owners_; }
+  [[nodiscard]] std::span<const std::uint32_t> edge_owners() const { return edge_owners_; }
 
  private:
   template <int A>
-  void add_facets(std::span<const CellRecord<A>> cells);
-  void add_edges(std::span<const CellRecord<3>> cells, EdgesOfCells& edges_of_cells);
+  void add_facets(std::span<const CellRecord<A>> cells, Threads threads);
+  void add_edges(std::span<const CellRecord<3>> cells, EdgesOfCells& edges_of_cells,
+                 Threads threads);
   [[nodiscard]] std::uint32_t edge_of_cell(std::span<const CellRecord<3>> cells, std::uint32_t cell,
                                            unsigned slot) const;
 
   std::array<std::uint32_t, static_cast<std::size_t>(D) + 2> first_{};
-  RankedBits owned_facets_;                  // 4 * cell + corner opposite: the owners
-  std::vector<std::uint32_t> facet_owners_;  // [facet]
-  RankedBits owned_edges_;                   // 6 * cell + slot: the owners
-  std::vector<std::uint32_t> edge_owners_;   // [edge]
+  RankedBits owned_facets_;                // 4 * cell + corner opposite: the owners
+  RawVector<std::uint32_t> facet_owners_;  // [facet]
+  RankedBits owned_edges_;                 // 6 * cell + slot: the owners
+  RawVector<std::uint32_t> edge_owners_;   // [edge]
 };
 
 extern template class SimplexTable<2>;  // defined in simplex_table.cpp

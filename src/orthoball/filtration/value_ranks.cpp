@@ -4,14 +4,22 @@
 // is sorted by it. Labels that differ are in exact order; runs of equal labels are split into
 // classes of exactly equal values, by integers where certified bounds do not separate them. A class
 // is one entry of the spectrum.
+//
+// Labels are dealt to buckets as they come, in a list for each dimension and part of the simplices,
+// so that simplices of a bucket come by number. Groups of buckets are then sorted and cut into
+// classes, each on its own. Where no weights differ, vertices need no labels: they are the first
+// class.
 #include "orthoball/filtration/value_ranks.h"
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <span>
+#include <utility>
 
 #include "orthoball/exact/orthoradius.h"
 #include "orthoball/filtration/affine_dimension.h"
+#include "orthoball/filtration/bit_run.h"
 #include "orthoball/filtration/edge_ring.h"
 #include "orthoball/filtration/label_buckets.h"
 
@@ -52,29 +60,58 @@ template <int D, int A>
 class Ranking {
  public:
   Ranking(const RegularTriangulation<D>& triangulation, const SimplexTable<D>& table,
-          const std::vector<bool>& is_attached)
+          std::span<const std::uint64_t> is_attached, std::span<SimplexId> order, Threads threads)
       : sites_(triangulation.sites()),
         table_(table),
         is_attached_(is_attached),
+        order_(order),
+        threads_(threads.for_work(table.size(), kLeastPart)),
         reader_{{}, table} {
     if constexpr (A >= 1) reader_.cells = triangulation.template cells<A>();
   }
 
   ValueRanks ranks() {
-    rank(labels());
+    result_.spectrum.resize(order_.size());
+    starts_.resize(order_.size() / 64 + 1, 0);
+    if (sites_.is_unweighted()) rank_vertices();
+    const BucketRule rule(table_.size(), sample_of_labels());
+    LabelPool pool(order_.size(), rule.bucket_count(), kLists * threads_.count());
+    std::vector<LabelList> lists(kLists * threads_.count(), LabelList(rule, pool));
+    deal_labels(lists);
+    std::vector<Group> groups = groups_of(lists, rule.bucket_count());
+    parallel_for(threads_, groups.size(), [&](std::size_t i) { rank(lists, rule, groups[i]); });
+    close_gaps(groups);
+    result_.starts = RankedBits(std::move(starts_));
     return std::move(result_);
   }
 
  private:
-  [[nodiscard]] LabelBuckets labels() const;
+  static constexpr std::size_t kLists = std::size_t{A} + 1;  // of each part: one a dimension
+  static constexpr std::size_t kLeastPart = std::size_t{1} << 18U;
+  using Rows = std::span<std::uint32_t>;
+  using ConstRows = std::span<const std::uint32_t>;
+
+  // Buckets that are ranked one after the other.
+  struct Group {
+    std::size_t first_bucket;
+    std::size_t end_bucket;
+    std::size_t begin;        // of its simplices in the order, and of its part of the spectrum
+    std::size_t classes = 0;  // in that part, and then nothing up to the next
+  };
+  class ClassWriter;
+
+  void rank_vertices();
   [[nodiscard]] std::vector<double> sample_of_labels() const;
+  void deal_labels(std::vector<LabelList>& lists) const;
   template <int K>
-  void add_labels(LabelBuckets& labels) const;
-  void rank(const LabelBuckets& labels);
-  void rank_run(std::span<std::uint32_t> simplices, double label);
-  [[nodiscard]] bool is_one_class(std::span<const std::uint32_t> simplices) const;
-  void rank_exactly(std::span<std::uint32_t> simplices, double label);
-  void enter_together(std::span<const std::uint32_t> simplices, double label);
+  void deal_labels(LabelList& list, std::uint32_t begin, std::uint32_t end) const;
+  [[nodiscard]] std::vector<Group> groups_of(const std::vector<LabelList>& lists,
+                                             std::size_t buckets) const;
+  void rank(const std::vector<LabelList>& lists, const BucketRule& rule, Group& group);
+  void rank_run(ClassWriter& classes, Rows simplices, double label) const;
+  [[nodiscard]] bool is_one_class(ConstRows simplices) const;
+  void rank_exactly(ClassWriter& classes, Rows simplices, double label) const;
+  void close_gaps(const std::vector<Group>& groups);
   [[nodiscard]] FewOf<std::uint32_t, D> corners(std::uint32_t simplex) const;
 
   [[nodiscard]] std::uint32_t first(int dimension) const { return table_.first(dimension); }
@@ -84,16 +121,19 @@ class Ranking {
 
   const Sites<D>& sites_;
   const SimplexTable<D>& table_;
-  const std::vector<bool>& is_attached_;
+  std::span<const std::uint64_t> is_attached_;
+  std::span<SimplexId> order_;
+  Threads threads_;
   SimplexReader<D, A> reader_;
   ValueRanks result_;
+  std::vector<std::uint64_t> starts_;  // bits, see ValueRanks
 };
 
-// --- labels and ranks --------------------------------------------------------------------------
+// --- labels ------------------------------------------------------------------------------------
 
 template <int D, int A>
 template <int K>
-void Ranking<D, A>::add_labels(LabelBuckets& labels) const {
+void Ranking<D, A>::deal_labels(LabelList& list, std::uint32_t begin, std::uint32_t end) const {
   constexpr std::size_t kBlock = 256;
   std::array<CornerSites<std::size_t{K} + 1>, kBlock> corners;
   std::array<std::uint32_t, kBlock> simplices;
@@ -101,44 +141,57 @@ void Ranking<D, A>::add_labels(LabelBuckets& labels) const {
   std::size_t size = 0;
   const auto flush = [&] {
     squared_orthoradii<D, std::size_t{K} + 1>(sites_, std::span(corners).first(size), found);
-    for (std::size_t i = 0; i < size; ++i) labels.add(found[i], simplices[i]);
+    for (std::size_t i = 0; i < size; ++i) list.add(found[i], simplices[i]);
     size = 0;
   };
-  for (std::uint32_t number = 0; number < count(K); ++number) {
+  for (std::uint32_t number = begin; number < end; ++number) {
     // What is attached is written over by the next: whether it is is hard to foretell.
     simplices[size] = first(K) + number;
     corners[size] = reader_.template corners<K>(number);
-    size += is_attached_[first(K) + number] ? 0U : 1U;
+    size += bit_at(is_attached_.data(), first(K) + number) ? 0U : 1U;
     if (size == kBlock) flush();
   }
   flush();
 }
 
+// The parts of each dimension fill lists that follow each other.
+template <int D, int A>
+void Ranking<D, A>::deal_labels(std::vector<LabelList>& lists) const {
+  const std::size_t parts = threads_.count();
+  parallel_for(threads_, lists.size(), [&](std::size_t i) {
+    const auto deal = [&]<int K>() {
+      if (i / parts != K || (K == 0 && sites_.is_unweighted())) return;
+      const std::size_t part = i % parts;
+      const std::uint64_t size = count(K);
+      deal_labels<K>(lists[i], static_cast<std::uint32_t>(size * part / parts),
+                     static_cast<std::uint32_t>(size * (part + 1) / parts));
+    };
+    deal.template operator()<0>();
+    if constexpr (A >= 1) deal.template operator()<1>();
+    if constexpr (A >= 2) deal.template operator()<2>();
+    if constexpr (A >= 3) deal.template operator()<3>();
+  });
+}
+
 // Of some cells far apart and one face of each dimension of each.
 template <int D, int A>
 std::vector<double> Ranking<D, A>::sample_of_labels() const {
-  constexpr std::uint32_t kCells = 2048;
+  constexpr std::uint32_t kMostCells = 2048;
+  constexpr std::uint32_t kLeastStep = 8;
+  const std::uint32_t step = std::max(count(A) / kMostCells + 1, kLeastStep);
   std::vector<double> result;
-  const auto add = [&]<std::size_t Corners>(const CornerSites<Corners>& simplex) {
-    result.push_back(0.0);
-    squared_orthoradii<D, Corners>(sites_, {&simplex, 1}, std::span(result).last(1));
+  const auto add_faces = [&]<std::size_t Corners>() {
+    std::vector<CornerSites<Corners>> faces;
+    for (std::uint32_t cell = 0; cell < count(A); cell += step) {
+      const auto all = reader_.template corners<A>(cell);
+      std::copy_n(all.begin(), Corners, faces.emplace_back().begin());
+    }
+    result.resize(result.size() + faces.size());
+    squared_orthoradii<D, Corners>(sites_, faces, std::span(result).last(faces.size()));
   };
-  for (std::uint32_t cell = 0; cell < count(A); cell += count(A) / kCells + 1) {
-    const auto all = reader_.template corners<A>(cell);
-    add(all);
-    if constexpr (A >= 2) add(CornerSites<2>{all[0], all[1]});
-    if constexpr (A >= 3) add(CornerSites<3>{all[0], all[1], all[2]});
-  }
-  return result;
-}
-
-template <int D, int A>
-LabelBuckets Ranking<D, A>::labels() const {
-  LabelBuckets result(table_.size(), sample_of_labels());
-  add_labels<0>(result);
-  if constexpr (A >= 1) add_labels<1>(result);
-  if constexpr (A >= 2) add_labels<2>(result);
-  if constexpr (A >= 3) add_labels<3>(result);
+  add_faces.template operator()<std::size_t{A} + 1>();
+  if constexpr (A >= 2) add_faces.template operator()<2>();
+  if constexpr (A >= 3) add_faces.template operator()<3>();
   return result;
 }
 
@@ -163,19 +216,89 @@ FewOf<std::uint32_t, D> Ranking<D, A>::corners(std::uint32_t simplex) const {
   return result;
 }
 
+// --- classes -----------------------------------------------------------------------------------
+
+// Takes the classes of a group, ascending.
 template <int D, int A>
-inline void Ranking<D, A>::enter_together(std::span<const std::uint32_t> simplices, double label) {
-  result_.spectrum.push_back(label + 0.0);  // a negative value that rounds to -0 reads 0
-  const auto index = static_cast<std::uint32_t>(result_.spectrum.size());
-  for (const std::uint32_t simplex : simplices) result_.enters[simplex] = index;
+class Ranking<D, A>::ClassWriter {
+ public:
+  ClassWriter(Ranking& ranking, const Group& group)
+      : order_(ranking.order_.data() + group.begin),
+        spectrum_(ranking.result_.spectrum.data() + group.begin),
+        starts_(ranking.starts_.data(), group.begin) {}
+
+  // Simplices of one value, by number.
+  void add(ConstRows simplices, double label) {
+    spectrum_[classes_++] = label + 0.0;  // a negative value that rounds to -0 reads 0
+    bool is_first = true;
+    for (const std::uint32_t simplex : simplices) {
+      *order_++ = SimplexId(simplex);
+      starts_.push(std::exchange(is_first, false));
+    }
+  }
+  [[nodiscard]] std::size_t classes() const { return classes_; }
+
+ private:
+  SimplexId* order_;
+  double* spectrum_;
+  BitRun starts_;
+  std::size_t classes_ = 0;
+};
+
+// All have the value of their weights, and all others have greater ones.
+template <int D, int A>
+void Ranking<D, A>::rank_vertices() {
+  if (count(0) == 0) return;
+  std::vector<std::uint32_t> vertices(count(0));
+  std::iota(vertices.begin(), vertices.end(), 0U);
+  double label = 0.0;
+  const CornerSites<1> vertex{0};
+  squared_orthoradii<D, 1>(sites_, {&vertex, 1}, {&label, 1});
+  ClassWriter(*this, Group{}).add(vertices, label);
+}
+
+// Where each bucket's simplices begin follows from how many are in those before.
+template <int D, int A>
+std::vector<typename Ranking<D, A>::Group> Ranking<D, A>::groups_of(
+    const std::vector<LabelList>& lists, std::size_t buckets) const {
+  constexpr std::size_t kBuckets = 8;
+  std::vector<Group> groups;
+  std::size_t begin = sites_.is_unweighted() ? count(0) : 0;
+  for (std::size_t bucket = 0; bucket < buckets; bucket += kBuckets) {
+    const std::size_t end = std::min(bucket + kBuckets, buckets);
+    groups.push_back({bucket, end, begin});
+    for (std::size_t b = bucket; b < end; ++b) {
+      for (const LabelList& list : lists) begin += list.size(b);
+    }
+  }
+  return groups;
+}
+
+template <int D, int A>
+void Ranking<D, A>::rank(const std::vector<LabelList>& lists, const BucketRule& rule,
+                         Group& group) {
+  BucketSorter sorter(rule);
+  ClassWriter classes(*this, group);
+  for (std::size_t bucket = group.first_bucket; bucket < group.end_bucket; ++bucket) {
+    sorter.sort(lists, bucket);
+    const auto keys = sorter.keys();
+    for (std::size_t begin = 0; begin < keys.size();) {
+      std::size_t end = begin + 1;
+      // -0 stands for negative values too small for a double, less than what 0 stands for.
+      while (end < keys.size() && keys[end] == keys[begin]) ++end;
+      rank_run(classes, sorter.rows().subspan(begin, end - begin), number_of_key(keys[begin]));
+      begin = end;
+    }
+  }
+  group.classes = classes.classes();
 }
 
 // Ranks simplices with one label. Most runs of more than one are one class, which takes one pass.
 // Others are cut wherever the bounds of what rounding took from the labels leave a gap: so of many
 // values that share a label, as of cells that nearly share a sphere, few are compared in integers.
 template <int D, int A>
-void Ranking<D, A>::rank_run(std::span<std::uint32_t> simplices, double label) {
-  if (simplices.size() == 1 || is_one_class(simplices)) return enter_together(simplices, label);
+inline void Ranking<D, A>::rank_run(ClassWriter& classes, Rows simplices, double label) const {
+  if (simplices.size() == 1 || is_one_class(simplices)) return classes.add(simplices, label);
   struct Bounded {
     Bounds remainder;
     std::uint32_t simplex;
@@ -196,17 +319,13 @@ void Ranking<D, A>::rank_run(std::span<std::uint32_t> simplices, double label) {
     for (; end < bounded.size() && bounded[end].remainder.least <= most; ++end) {
       most = std::max(most, bounded[end].remainder.most);
     }
-    rank_exactly(simplices.subspan(begin, end - begin), label);
+    rank_exactly(classes, simplices.subspan(begin, end - begin), label);
     begin = end;
   }
 }
 
 template <int D, int A>
-bool Ranking<D, A>::is_one_class(std::span<const std::uint32_t> simplices) const {
-  const auto is_vertex = [&](std::uint32_t simplex) { return simplex < count(0); };
-  if (sites_.is_unweighted() && std::all_of(simplices.begin(), simplices.end(), is_vertex)) {
-    return true;
-  }
+bool Ranking<D, A>::is_one_class(ConstRows simplices) const {
   const auto first = corners(simplices[0]);
   const OrthoradiusPivot<D> pivot(sites_, {first.begin(), first.size()});
   return std::all_of(simplices.begin() + 1, simplices.end(), [&](std::uint32_t simplex) {
@@ -217,7 +336,7 @@ bool Ranking<D, A>::is_one_class(std::span<const std::uint32_t> simplices) const
 
 // Quicksort in three parts by the exact comparison with one pivot.
 template <int D, int A>
-void Ranking<D, A>::rank_exactly(std::span<std::uint32_t> simplices, double label) {
+void Ranking<D, A>::rank_exactly(ClassWriter& classes, Rows simplices, double label) const {
   while (simplices.size() > 1) {
     const auto pivot_corners = corners(simplices[simplices.size() / 2]);
     const OrthoradiusPivot<D> pivot(sites_, {pivot_corners.begin(), pivot_corners.size()});
@@ -235,47 +354,45 @@ void Ranking<D, A>::rank_exactly(std::span<std::uint32_t> simplices, double labe
         ++next;
       }
     }
-    rank_exactly(simplices.first(equal), label);
-    enter_together(simplices.subspan(equal, greater - equal), label);
+    rank_exactly(classes, simplices.first(equal), label);
+    const Rows together = simplices.subspan(equal, greater - equal);
+    std::sort(together.begin(), together.end());
+    classes.add(together, label);
     simplices = simplices.subspan(greater);
   }
-  if (!simplices.empty()) enter_together(simplices, label);
+  if (!simplices.empty()) classes.add(simplices, label);
 }
 
+// Every group wrote its part of the spectrum as if all its values were distinct.
 template <int D, int A>
-void Ranking<D, A>::rank(const LabelBuckets& labels) {
-  constexpr std::size_t kAhead = 24;  // simplices of one part are far from each other
-  result_.enters.resize(table_.size());
-  result_.spectrum.reserve(labels.size());
-  labels.for_each_part(
-      [&](std::span<const std::uint64_t> keys, std::span<std::uint32_t> simplices) {
-        for (std::size_t begin = 0; begin < keys.size();) {
-          const std::size_t ahead = std::min(begin + kAhead, keys.size() - 1);
-          __builtin_prefetch(&result_.enters[simplices[ahead]], 1);
-          std::size_t end = begin + 1;
-          // -0 stands for negative values too small for a double, less than what 0 stands for.
-          while (end < keys.size() && keys[end] == keys[begin]) ++end;
-          rank_run(simplices.subspan(begin, end - begin), number_of_key(keys[begin]));
-          begin = end;
-        }
-      });
+void Ranking<D, A>::close_gaps(const std::vector<Group>& groups) {
+  double* const spectrum = result_.spectrum.data();
+  std::size_t size = sites_.is_unweighted() && count(0) > 0 ? 1 : 0;
+  for (const Group& group : groups) {
+    if (size != group.begin) {
+      std::copy_n(spectrum + group.begin, group.classes, spectrum + size);
+    }
+    size += group.classes;
+  }
+  result_.spectrum.resize(size);
 }
 
 }  // namespace
 
 template <int D>
 ValueRanks value_ranks(const RegularTriangulation<D>& triangulation, const SimplexTable<D>& table,
-                       const std::vector<bool>& is_attached) {
-  ValueRanks result;
+                       std::span<const std::uint64_t> is_attached, std::span<SimplexId> order,
+                       Threads threads) {
+  ValueRanks result{{}, RankedBits(std::vector<std::uint64_t>(1, 0))};  // without sites
   with_affine_dimension(triangulation, [&]<int A>() {
-    result = Ranking<D, A>(triangulation, table, is_attached).ranks();
+    result = Ranking<D, A>(triangulation, table, is_attached, order, threads).ranks();
   });
   return result;
 }
 
 template ValueRanks value_ranks<2>(const RegularTriangulation<2>&, const SimplexTable<2>&,
-                                   const std::vector<bool>&);
+                                   std::span<const std::uint64_t>, std::span<SimplexId>, Threads);
 template ValueRanks value_ranks<3>(const RegularTriangulation<3>&, const SimplexTable<3>&,
-                                   const std::vector<bool>&);
+                                   std::span<const std::uint64_t>, std::span<SimplexId>, Threads);
 
 }  // namespace orthoball

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "generators/point_families.h"
+#include "matchers/same_filtration.h"
 #include "oracles/brute_force.h"
 #include "orthoball/triangulation/build.h"
 
@@ -161,6 +162,29 @@ TEST(Filtration, KeepsItsLawsOnThousandsOfSites) {
     expect_laws<2>(points_of(family, 2, 2000, 7));
     expect_laws<3>(points_of(family, 3, 2000, 7));
   }
+}
+
+// Large enough for several parts of everything.
+TEST(Filtration, IsTheSameOnAnyNumberOfThreads) {
+  const auto expect_same = [&]<int D>(PointFamily family, std::size_t count) {
+    const auto triangulation = regular_triangulation<D>(points_of(family, D, count, 3));
+    const Filtration<D> one(triangulation, Threads(1));
+    for (const unsigned threads : {2U, 4U, 16U}) {
+      const Filtration<D> many(triangulation, Threads(threads));
+      EXPECT_EQ(matchers::order_faults(one, many), std::vector<std::string>())
+          << name(family) << " on " << threads;
+      EXPECT_TRUE(matchers::same_bytes(one.spectrum(), many.spectrum())) << name(family);
+      for (std::size_t i = 0; i <= one.size(); ++i) {
+        ASSERT_EQ(one.starts_index(i), many.starts_index(i)) << name(family);
+      }
+    }
+  };
+  expect_same.operator()<3>(PointFamily::uniform, 40000);
+  expect_same.operator()<3>(PointFamily::protein_like, 40000);
+  expect_same.operator()<3>(PointFamily::grid, 42875);
+  expect_same.operator()<3>(PointFamily::lattice, 60000);
+  expect_same.operator()<2>(PointFamily::uniform_balls, 150000);
+  expect_same.operator()<2>(PointFamily::grid, 160000);
 }
 
 TEST(Filtration, IsEmptyWithoutSites) {

@@ -19,9 +19,12 @@ TEST(RankedBits, NumberTheirElements) {
       std::vector<std::uint32_t> visited;
       bits.for_each([&](std::uint32_t number) {
         EXPECT_EQ(bits.rank(number), visited.size());
+        EXPECT_EQ(bits.number_of(static_cast<std::uint32_t>(visited.size())), number);
+        EXPECT_TRUE(bits.contains(number));
         visited.push_back(number);
       });
       EXPECT_EQ(visited, expected);
+      EXPECT_EQ(bits.count(), expected.size());
       for (std::uint32_t number = 0; number < size; ++number) {
         ASSERT_EQ(bits.rank(number), (number + step - 1) / step);
       }

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "orthoball/filtration/raw_vector.h"
+#include "orthoball/filtration/simplex_table.h"
+#include "orthoball/filtration/value_ranks.h"
+#include "orthoball/ids.h"
+#include "orthoball/parallel.h"
+#include "orthoball/triangulation/regular_triangulation.h"
+
+namespace orthoball {
+
+/// The indices from which a simplex is regular, with its first proper coface, and interior, with
+/// the last cell around it.
+struct RoleIndices {
+  std::uint32_t regular;
+  std::uint32_t interior;
+};
+
+/// The indices at which the simplices of a triangulation change their role, 1 to the number of
+/// ranks, with one more for never.
+struct CriticalIndices {
+  RawVector<std::uint32_t> enters;  ///< [simplex]
+  RawVector<RoleIndices> roles;     ///< [simplex]; not of all, see below
+};
+
+/// The unattached simplices have their ranks; from these follow all the others' indices.
+///
+/// `roles` end before the facets of the cells where these are of full dimension:
+/// the two cells beside a facet tell them. They end before the cells otherwise.
+///
+/// @param edges_of_cells  what the table gave with it; read where the cells are tetrahedra.
+/// @param is_attached     a bit for every simplex, 64 to a word.
+/// @param order           the unattached simplices by value, as value_ranks leaves them.
+/// @param starts          ValueRanks::starts
+/// Linear.
+template <int D>
+[[nodiscard]] CriticalIndices critical_indices(
+    const RegularTriangulation<D>& triangulation, const SimplexTable<D>& table,
+    const typename SimplexTable<D>::EdgesOfCells& edges_of_cells,
+    std::span<const std::uint64_t> is_attached, std::span<const SimplexId> order,
+    const RankedBits& starts, Threads threads);
+
+extern template CriticalIndices critical_indices<2>(
+    const RegularTriangulation<2>&, const SimplexTable<2>&, const SimplexTable<2>::EdgesOfCells&,
+    std::span<const std::uint64_t>, std::span<const SimplexId>, const RankedBits&, Threads);
+extern template CriticalIndices critical_indices<3>(
+    const RegularTriangulation<3>&, const SimplexTable<3>&, const SimplexTable<3>::EdgesOfCells&,
+    std::span<const std::uint64_t>, std::span<const SimplexId>, const RankedBits&, Threads);
+
+}  // namespace orthoball
