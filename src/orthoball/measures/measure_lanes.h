@@ -285,7 +285,7 @@ template <int D, std::size_t N, class Rows>
 void measure(const Site<D>* sites, const std::array<Vertices<N>, kLanes>& vertices,
              const BitsRow* roles, Batch<D, N>& __restrict batch, Rows& __restrict out) {
   has_avx2() ? measure_wide(sites, vertices, roles, batch, out)
-                     : measure_inline(sites, vertices, roles, batch, out);
+             : measure_inline(sites, vertices, roles, batch, out);
 }
 
 }  // namespace orthoball::measure_lanes_detail

@@ -283,7 +283,7 @@ bool MeasureScan<D>::next() {
   if (end_stretch_ == stretch_count()) return false;
   const bool begins_window = end_stretch_ == window_.end;
   if (begins_window) begin_window(windows_[next_window_++]);
-  const std::uint32_t at_once = threads_.count() == 1 ? 1U : 2U * threads_.count();
+  const std::uint32_t at_once = threads_.count() == 1 ? 1U : 4U * threads_.count();
   first_stretch_ = end_stretch_;
   end_stretch_ = std::min(window_.end, first_stretch_ + at_once);
   const std::uint32_t stretches = end_stretch_ - first_stretch_;

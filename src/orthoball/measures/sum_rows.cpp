@@ -113,7 +113,7 @@ void add_row(SumRow& row, const SumRow& other) { add(row, other.sum, other.error
 void add_terms(const TermBins<1>& edges, const TermBins<2>& facets, const TermBins<6>& cells,
                std::uint32_t stretch, SumRow* rows, const CountRows& counts) {
   has_avx2() ? add_terms_wide(edges, facets, cells, stretch, rows, counts)
-                     : add_terms_inline(edges, facets, cells, stretch, rows, counts);
+             : add_terms_inline(edges, facets, cells, stretch, rows, counts);
 }
 void accumulate(std::span<SumRow> rows) {
   has_avx2() ? accumulate_wide(rows) : accumulate_inline(rows);
@@ -121,7 +121,7 @@ void accumulate(std::span<SumRow> rows) {
 void read_sums(const SumRow& before, std::span<const SumRow> rows, const SumUnits& units,
                std::span<ComplexMeasures> out) {
   has_avx2() ? read_sums_wide(before, rows, units, out)
-                     : read_sums_inline(before, rows, units, out);
+             : read_sums_inline(before, rows, units, out);
 }
 
 }  // namespace orthoball::sum_rows_detail

@@ -55,10 +55,9 @@ constexpr auto kCounts = [] {
 }();
 
 // Eight at a time. There must be room for eight more.
-ORTHOBALL_AVX2 std::size_t select_by_eights(const std::uint32_t* enters,
-                                                            std::uint32_t begin, std::uint32_t end,
-                                                            const Window& window,
-                                                            std::uint32_t* out) {
+ORTHOBALL_AVX2 std::size_t select_by_eights(const std::uint32_t* enters, std::uint32_t begin,
+                                            std::uint32_t end, const Window& window,
+                                            std::uint32_t* out) {
   // Unsigned comparisons are signed ones of numbers with the sign changed.
   const __m256i sign = _mm256_set1_epi32(INT32_MIN);
   const __m256i first = _mm256_set1_epi32(static_cast<int>(window.first));
@@ -96,7 +95,7 @@ std::size_t select_in_window(std::span<const std::uint32_t> enters, std::uint32_
   if (selected.size() < end - begin + std::size_t{8}) selected.resize(end - begin + std::size_t{8});
   const Window window{first, length, wanted.empty() ? nullptr : wanted.data()};
   return has_avx2() ? select_by_eights(enters.data(), begin, end, window, selected.data())
-                      : select_one_by_one(enters.data(), begin, end, window, selected.data());
+                    : select_one_by_one(enters.data(), begin, end, window, selected.data());
 }
 
 }  // namespace orthoball

@@ -22,9 +22,11 @@ void scan_signatures(const Filtration<D>& filtration,
   threads = threads.for_work(filtration.size(), kLeastSimplices);
   constexpr std::size_t kBlock = SignatureScan<D>::kBlock;
   SignatureScan<D> scan(filtration, threads);
-  const std::size_t at_once = threads.count() == 1 ? 1 : 4 * threads.count();
-  std::vector<Signature<D>> block(at_once * kBlock);
+  std::vector<Signature<D>> block(kBlock);
   while (scan.next()) {
+    // One thread writes each block while it is in the nearest cache.
+    const std::size_t at_once = threads.count() == 1 ? 1 : scan.block_count();
+    if (block.size() < at_once * kBlock) block.resize(at_once * kBlock);
     for (std::size_t first = 0; first < scan.block_count(); first += at_once) {
       const std::size_t blocks = std::min(at_once, scan.block_count() - first);
       parallel_for(threads, blocks, [&](std::size_t i) {

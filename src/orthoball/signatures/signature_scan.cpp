@@ -17,16 +17,21 @@ SignatureScan<D>::SignatureScan(const Filtration<D>& filtration, Threads threads
     : filtration_(filtration),
       threads_(threads),
       roles_(filtration, threads),
-      cycles_(filtration, roles_),
-      vertices_(filtration.spectrum_size(),
-                [&](const auto& visit) {
-                  for (const std::uint32_t index : filtration.enters().first(filtration.count(0))) {
-                    visit(index);
-                  }
-                }),
+      cycles_(filtration, roles_, threads),
       measures_(filtration, roles_, threads),
       end_{RoleCounts<D>(filtration)} {
-  for (std::size_t k = 0; k < lower_.size(); ++k) lower_[k] = {filtration, static_cast<int>(k)};
+  parallel_for(threads, D, [&](std::size_t k) {
+    if (k < lower_.size()) {
+      lower_[k] = {filtration, static_cast<int>(k)};
+      return;
+    }
+    vertices_ = {
+        filtration.spectrum_size(), [&](const auto& visit) {
+          for (const std::uint32_t index : filtration.enters().first(filtration.count(0))) {
+            visit(index);
+          }
+        }};
+  });
 }
 
 template <int D>
@@ -44,12 +49,6 @@ void SignatureScan<D>::count_changes() {
     counted.push_back({&lower_[k].interior, &own_.interior[k]});
   }
   for (const auto& [counts, column] : counted) column->resize(stretches * kIndexStretch);
-  parallel_for(threads_, stretches, [&](std::size_t i) {
-    for (const auto& [counts, column] : counted) {
-      counts->count_stretch(first_stretch + static_cast<std::uint32_t>(i),
-                            std::span(*column).subspan(i * kIndexStretch, kIndexStretch));
-    }
-  });
 
   changes_.entering[0] = own_.vertices.data();
   for (int k = 1; k <= D; ++k) {
@@ -63,24 +62,32 @@ void SignatureScan<D>::count_changes() {
   changes_.joining = own_.joining.data();
   changes_.opening = own_.opening.data();
   changes_.closing = own_.closing.data();
+
+  const std::size_t size = end_index() - first_index();
+  steps_.resize((size - 1) / kBlock + 1);
+  parallel_for(threads_, stretches, [&](std::size_t i) {
+    for (const auto& [counts, column] : counted) {
+      counts->count_stretch(first_stretch + static_cast<std::uint32_t>(i),
+                            std::span(*column).subspan(i * kIndexStretch, kIndexStretch));
+    }
+    constexpr std::size_t kBlocks = kIndexStretch / kBlock;
+    const std::size_t end_block = std::min((i + 1) * kBlocks, steps_.size());
+    for (std::size_t block = i * kBlocks; block < end_block; ++block) {
+      const std::size_t begin = block * kBlock;
+      const std::size_t end = std::min<std::size_t>(begin + kBlock, size);
+      steps_[block] = changes_.step([&](const std::uint32_t* column) {
+        return std::accumulate(column + begin, column + end, std::uint32_t{0});
+      });
+    }
+  });
 }
 
 template <int D>
 bool SignatureScan<D>::next() {
   if (!measures_.next()) return false;
   count_changes();
-  const std::size_t size = end_index() - first_index();
-  std::vector<Step> steps((size - 1) / kBlock + 1);
-  parallel_for(threads_, steps.size(), [&](std::size_t block) {
-    const std::size_t begin = block * kBlock;
-    const std::size_t end = std::min<std::size_t>(begin + kBlock, size);
-    const auto sum = [&](const std::uint32_t* column) {
-      return std::accumulate(column + begin, column + end, std::uint32_t{0});
-    };
-    steps[block] = changes_.step(sum);
-  });
   blocks_.clear();
-  for (const Step& step : steps) {
+  for (const Step& step : steps_) {
     blocks_.push_back(end_);
     end_.advance(step);
   }

@@ -89,11 +89,12 @@ class SignatureScan {
   Threads threads_;
   FacetRoles<D> roles_;
   CycleCounts<D> cycles_;
-  IndexCounts vertices_;
+  IndexCounts vertices_;                                       // enter
   std::array<RoleChangeCounts<D>, std::size_t{D} - 1> lower_;  // below the facets
   MeasureScan<D> measures_;
   OwnColumns own_;
   Changes changes_;
+  std::vector<Step> steps_;    // [block]
   std::vector<State> blocks_;  // [block]: before it
   State end_;                  // at the end of the run
 };

@@ -16,7 +16,7 @@
 // found along space instead of along the filter, in which neighbours are far apart in memory.
 #include "orthoball/topology/betti.h"
 
-#include <limits>
+#include <algorithm>
 #include <span>
 #include <string>
 #include <utility>
@@ -162,39 +162,66 @@ CycleMarks<D>::CycleMarks(const Filtration<D>& filtration)
   }
 }
 
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+
+// When edges join components.
 template <int D>
-CycleCounts<D>::CycleCounts(const Filtration<D>& filtration, const FacetRoles<D>& roles) {
-  const auto counted = [&](const std::vector<std::uint32_t>& indices) -> IndexCounts {
-    return {filtration.spectrum_size(), [&](const auto& visit) {
-              for (const std::uint32_t index : indices) visit(index);
-            }};
+Indices joining_indices(const Filtration<D>& filtration) {
+  Indices indices;
+  const std::uint32_t first = filtration.table().first(1);
+  if (filtration.count(1) == 0) return indices;
+  mark_spanning_forest(Components<D>{filtration}, [&](std::uint32_t edge) {
+    indices.push_back(filtration.enters(SimplexId(first + edge)));
+  });
+  return indices;
+}
+
+// When voids open and when they close.
+struct VoidIndices {
+  Indices opening, closing;
+};
+VoidIndices void_indices(const Filtration<3>& filtration, const FacetRoles<3>& roles) {
+  VoidIndices indices;
+  if (filtration.count(3) == 0) return indices;
+  const auto add = [&](int dimension, Indices& to) {
+    return [&filtration, &to, first = filtration.table().first(dimension)](std::uint32_t number) {
+      to.push_back(filtration.enters(SimplexId(first + number)));
+    };
   };
-  std::vector<std::uint32_t> indices, others;
-  if (filtration.count(1) > 0) {
-    const std::uint32_t first = filtration.table().first(1);
-    mark_spanning_forest(Components<D>{filtration}, [&](std::uint32_t edge) {
-      indices.push_back(filtration.enters(SimplexId(first + edge)));
-    });
-  }
-  joining = counted(indices);
-  indices.clear();
-  if constexpr (D == 3) {
-    if (filtration.count(3) > 0) {
-      const std::uint32_t first = filtration.table().first(2),
-                          first_cell = filtration.table().first(3);
-      Voids(filtration, roles)
-          .build(
-              [&](std::uint32_t triangle) {
-                indices.push_back(filtration.enters(SimplexId(first + triangle)));
-              },
-              [](std::uint32_t, std::uint32_t) {},
-              [&](std::uint32_t cell) {
-                others.push_back(filtration.enters(SimplexId(first_cell + cell)));
-              });
+  Voids(filtration, roles)
+      .build(
+          add(2, indices.opening), [](std::uint32_t, std::uint32_t) {}, add(3, indices.closing));
+  return indices;
+}
+
+IndexCounts counted(std::uint32_t largest, const Indices& indices) {
+  return {largest, [&](const auto& visit) {
+            for (const std::uint32_t index : indices) visit(index);
+          }};
+}
+
+// Fewer simplices than this for each thread are done sooner by one.
+constexpr std::size_t kLeastSimplices = 50'000;
+
+}  // namespace
+
+template <int D>
+CycleCounts<D>::CycleCounts(const Filtration<D>& filtration, const FacetRoles<D>& roles,
+                            Threads threads) {
+  const std::uint32_t largest = filtration.spectrum_size();
+  parallel_for(threads, D == 3 ? 2 : 1, [&](std::size_t task) {
+    if constexpr (D == 3) {
+      if (task == 0) {
+        const VoidIndices voids = void_indices(filtration, roles);
+        opening = counted(largest, voids.opening);
+        closing = counted(largest, voids.closing);
+        return;
+      }
     }
-  }
-  opening = counted(indices);
-  closing = counted(others);
+    joining = counted(largest, joining_indices(filtration));
+  });
 }
 
 template <int D>
@@ -207,17 +234,37 @@ void BettiScan<D>::advance(const ByDimension<D>& entering) {
 }
 
 template <int D>
-BettiNumbers<D> betti_numbers(const Filtration<D>& filtration, std::uint32_t index) {
+BettiNumbers<D> betti_numbers(const Filtration<D>& filtration, std::uint32_t index,
+                              Threads threads) {
   if (index > filtration.spectrum_size()) {
     throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
                      "index " + std::to_string(index) +
                          " is beyond the spectrum; indices are 0 to " +
                          std::to_string(filtration.spectrum_size()));
   }
-  BettiScan<D> scan(filtration);
-  FilterSteps<D> steps(filtration);
-  while (steps.index() < index && steps.next()) scan.advance(steps.entering());
-  return scan.betti();
+  threads = threads.for_work(filtration.size(), kLeastSimplices);
+  const FacetRoles<D> roles(filtration, threads);
+  const auto up_to_index = [&](std::span<const std::uint32_t> indices) {
+    return static_cast<std::uint32_t>(std::count_if(indices.begin(), indices.end(),
+                                                    [&](std::uint32_t of) { return of <= index; }));
+  };
+  std::uint32_t joined = 0, voids = 0;
+  parallel_for(threads, D == 3 ? 2 : 1, [&](std::size_t task) {
+    if constexpr (D == 3) {
+      if (task == 0) {
+        const VoidIndices indices = void_indices(filtration, roles);
+        voids = up_to_index(indices.opening) - up_to_index(indices.closing);
+        return;
+      }
+    }
+    joined = up_to_index(joining_indices(filtration));
+  });
+  ByDimension<D> entered{};
+  for (int k = 0; k <= D; ++k) {
+    entered[static_cast<std::size_t>(k)] =
+        up_to_index(filtration.enters().subspan(filtration.table().first(k), filtration.count(k)));
+  }
+  return betti_numbers<D>(entered, joined, voids);
 }
 
 template class CycleMarks<2>;
@@ -226,7 +273,7 @@ template struct CycleCounts<2>;
 template struct CycleCounts<3>;
 template class BettiScan<2>;
 template class BettiScan<3>;
-template BettiNumbers<2> betti_numbers<2>(const Filtration<2>&, std::uint32_t);
-template BettiNumbers<3> betti_numbers<3>(const Filtration<3>&, std::uint32_t);
+template BettiNumbers<2> betti_numbers<2>(const Filtration<2>&, std::uint32_t, Threads);
+template BettiNumbers<3> betti_numbers<3>(const Filtration<3>&, std::uint32_t, Threads);
 
 }  // namespace orthoball

@@ -10,6 +10,7 @@
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/filtration/index_counts.h"
 #include "orthoball/ids.h"
+#include "orthoball/parallel.h"
 #include "orthoball/topology/facet_roles.h"
 
 namespace orthoball {
@@ -41,11 +42,12 @@ class CycleMarks {
   std::vector<std::uint64_t> forests_;  // bit per simplex: a joining edge or a cutting triangle
 };
 
-/// How many components and voids come and go at each index; left out are voids that are filled at
-/// the index at which they open. Two bytes for each: about 8 a site in space.
+/// At which indices components and voids come and go: how many at each. Left out are voids that are
+/// filled at the index at which they open. Two bytes for each: about 8 a site in space.
 template <int D>
 struct CycleCounts {
-  CycleCounts(const Filtration<D>& filtration, const FacetRoles<D>& roles);
+  CycleCounts(const Filtration<D>& filtration, const FacetRoles<D>& roles,
+              Threads threads = Threads(1));
 
   IndexCounts joining;           ///< edges that join two components
   IndexCounts opening, closing;  ///< voids, in space
@@ -70,8 +72,8 @@ template <int D>
 class BettiScan {
  public:
   /// Begins with the empty complex.
-  explicit BettiScan(const Filtration<D>& filtration)
-      : counts_(filtration, FacetRoles<D>(filtration)) {}
+  explicit BettiScan(const Filtration<D>& filtration, Threads threads = Threads(1))
+      : counts_(filtration, FacetRoles<D>(filtration, threads), threads) {}
 
   /// Goes on to the next index, at which `entering` simplices join.
   void advance(const ByDimension<D>& entering);
@@ -91,7 +93,8 @@ class BettiScan {
 /// The Betti numbers of the complex at one index, 0..s. Takes as long as those of all.
 /// @throws InputError for an index beyond s.
 template <int D>
-[[nodiscard]] BettiNumbers<D> betti_numbers(const Filtration<D>& filtration, std::uint32_t index);
+[[nodiscard]] BettiNumbers<D> betti_numbers(const Filtration<D>& filtration, std::uint32_t index,
+                                            Threads threads = {});
 
 extern template class CycleMarks<2>;  // defined in betti.cpp
 extern template class CycleMarks<3>;
