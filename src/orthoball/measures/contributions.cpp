@@ -1,172 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// Simplices are measured in batches: the coordinates of kLanes of them are laid out side by side,
-// and every formula is a loop over the lanes without branches, which compilers turn into vector
-// code.
-//
-// A tetrahedron with vertices a, b, c, d gives the cross products n_a, n_b, n_c, n_d of its facets
-// (n_a without a, and so on), each a product of differences from the facet's first vertex, so that
-// the same facet gives the same double from both sides. The angle at an edge between the outward
-// normals of its two facets, the exterior angle, has the cosine +-(n . m) / (|n| |m|) and the sine
-// |n x m| / (|n| |m|). As n x m is 6 V times the edge, its length is 6 V len, and the angle is
-// atan2(6 V len, +-(n . m)): the sign is the product of the signs that turn both outward. Where a
-// cross product is all rounding the cell is measured again with integers (thin_cell.h).
+// Simplices are measured in batches: loaded into lanes, measured side by side (measure_lanes.h) and
+// written out again. In units that may not suit doubles each is loaded in a unit of its own.
 #include "orthoball/measures/contributions.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
-#include "orthoball/exact/processor.h"
 #include "orthoball/filtration/face_vertices.h"
-#include "orthoball/measures/angle.h"
+#include "orthoball/measures/measure_lanes.h"
 #include "orthoball/measures/thin_cell.h"
 
 namespace orthoball {
 namespace {
 
-constexpr std::size_t kLanes = 32;
-
-struct alignas(64) Row : std::array<double, kLanes> {};
-
-template <int D>
-using Points = std::array<Row, static_cast<std::size_t>(D)>;  // [axis][lane]
-
-// N points per lane and the exponent of its results: lengths are to be multiplied by 2^exponent,
-// areas by 2^(2 exponent) and so on.
-template <int D, std::size_t N>
-struct Batch {
-  std::array<Points<D>, N> x;
-  std::array<int, kLanes> exponent;
-};
-
-struct Vector {
-  double x, y, z;
-};
-[[gnu::always_inline]] inline Vector operator-(const Vector& a, const Vector& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-[[gnu::always_inline]] inline double dot(const Vector& a, const Vector& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-[[gnu::always_inline]] inline double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
-[[gnu::always_inline]] inline Vector cross(const Vector& a, const Vector& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-[[gnu::always_inline]] inline Vector vector(const Points<3>& points, std::size_t lane) {
-  return {points[0][lane], points[1][lane], points[2][lane]};
-}
-[[gnu::always_inline]] inline double length(const Points<2>& a, const Points<2>& b,
-                                            std::size_t lane) {
-  const double x = b[0][lane] - a[0][lane], y = b[1][lane] - a[1][lane];
-  return std::sqrt(x * x + y * y);
-}
-
-// What the kernels give, lane by lane.
-template <int D>
-struct CellRows {
-  Row volume, length;
-  Row excess;  // negative where a facet is thin: see thin_cell.h
-  std::array<Row, kCorners<D>> facets;
-};
-struct FacetRows {
-  Row area, perimeter;
-};
-
-[[gnu::always_inline]] inline void measure_lanes(const Batch<3, 4>& __restrict batch,
-                                                 CellRows<3>& __restrict out) {
-  alignas(64) std::array<Row, 6> lengths, cosines;
-  for (std::size_t k = 0; k < kLanes; ++k) {
-    const Vector a = vector(batch.x[0], k), b = vector(batch.x[1], k);
-    const Vector c = vector(batch.x[2], k), d = vector(batch.x[3], k);
-    const Vector ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b;
-    const Vector n_d = cross(ab, ac), n_c = cross(ab, ad), n_b = cross(ac, ad), n_a = cross(bc, bd);
-    out.volume[k] = std::abs(dot(ab, n_b));
-    out.facets[0][k] = norm(n_a);
-    out.facets[1][k] = norm(n_b);
-    out.facets[2][k] = norm(n_c);
-    out.facets[3][k] = norm(n_d);
-    lengths[0][k] = norm(ab);
-    lengths[1][k] = norm(ac);
-    lengths[2][k] = norm(ad);
-    lengths[3][k] = norm(bc);
-    lengths[4][k] = norm(bd);
-    lengths[5][k] = norm(d - c);
-    // n_a and n_c point outward where n_b and n_d point inward, or the other way round.
-    cosines[0][k] = -dot(n_c, n_d);
-    cosines[1][k] = dot(n_b, n_d);
-    cosines[2][k] = -dot(n_b, n_c);
-    cosines[3][k] = -dot(n_a, n_d);
-    cosines[4][k] = dot(n_a, n_c);
-    cosines[5][k] = -dot(n_a, n_b);
-  }
-  // How far the facets are from thin: negative where one is.
-  for (std::size_t k = 0; k < kLanes; ++k) {
-    out.excess[k] = std::min(std::min(out.facets[0][k] - kThin * lengths[3][k] * lengths[4][k],
-                                      out.facets[1][k] - kThin * lengths[1][k] * lengths[2][k]),
-                             std::min(out.facets[2][k] - kThin * lengths[0][k] * lengths[2][k],
-                                      out.facets[3][k] - kThin * lengths[0][k] * lengths[1][k]));
-  }
-  out.length.fill(0.0);
-  for (std::size_t edge = 0; edge < 6; ++edge) {
-    for (std::size_t k = 0; k < kLanes; ++k) {
-      const double sine = out.volume[k] * lengths[edge][k];
-      out.length[k] += lengths[edge][k] * angle_from_x_axis(cosines[edge][k], sine);
-    }
-  }
-}
-
-[[gnu::always_inline]] inline void measure_lanes(const Batch<2, 3>& __restrict batch,
-                                                 CellRows<2>& __restrict out) {
-  const auto& [a, b, c] = batch.x;
-  for (std::size_t k = 0; k < kLanes; ++k) {
-    out.volume[k] = std::abs((b[0][k] - a[0][k]) * (c[1][k] - a[1][k]) -
-                             (b[1][k] - a[1][k]) * (c[0][k] - a[0][k]));
-    out.facets[0][k] = length(b, c, k);
-    out.facets[1][k] = length(a, c, k);
-    out.facets[2][k] = length(a, b, k);
-  }
-  out.length.fill(0.0);
-  out.excess.fill(0.0);
-}
-
-[[gnu::always_inline]] inline void measure_lanes(const Batch<3, 3>& __restrict batch,
-                                                 FacetRows& __restrict out) {
-  for (std::size_t k = 0; k < kLanes; ++k) {
-    const Vector a = vector(batch.x[0], k), b = vector(batch.x[1], k), c = vector(batch.x[2], k);
-    const Vector ab = b - a, ac = c - a;
-    out.area[k] = norm(cross(ab, ac));
-    out.perimeter[k] = norm(ab) + norm(ac) + norm(c - b);
-  }
-}
-
-[[gnu::always_inline]] inline void measure_lanes(const Batch<2, 2>& __restrict batch,
-                                                 FacetRows& __restrict out) {
-  for (std::size_t k = 0; k < kLanes; ++k) out.area[k] = length(batch.x[0], batch.x[1], k);
-  out.perimeter.fill(0.0);
-}
-
-[[gnu::always_inline]] inline void measure_lanes(const Batch<3, 2>& __restrict batch,
-                                                 Row& __restrict out) {
-  for (std::size_t k = 0; k < kLanes; ++k) {
-    out[k] = norm(vector(batch.x[1], k) - vector(batch.x[0], k));
-  }
-}
-
-// The same bits with wider vectors, where the machine has them: no operation is fused with another.
-template <int D, std::size_t N, class Rows>
-ORTHOBALL_AVX2 void measure_wide(const Batch<D, N>& __restrict batch, Rows& __restrict out) {
-  measure_lanes(batch, out);
-}
-
-template <int D, std::size_t N, class Rows>
-void measure(const Batch<D, N>& batch, Rows& out) {
-  has_avx2() ? measure_wide(batch, out) : measure_lanes(batch, out);
-}
-
-template <std::size_t N>
-using Vertices = std::array<std::uint32_t, N>;  // by number, ascending
+using namespace measure_lanes_detail;
 
 // Where the coordinates come from and in which unit contributions are wanted.
 template <int D>
@@ -175,21 +24,19 @@ struct Source {
   bool is_wide;
   int unit_exponent;
 
-  template <std::size_t N>
-  void load(const Vertices<N>& vertices, std::size_t lane, Batch<D, N>& batch) const {
+  // Measures the simplices of all lanes, of which so many are needed.
+  template <std::size_t N, class Rows>
+  void measure(const std::array<Vertices<N>, kLanes>& vertices, std::size_t lanes,
+               const BitsRow* roles, Batch<D, N>& batch, Rows& rows) const {
     if (is_wide) {
-      load_wide(vertices, lane, batch);
-      return;
+      for (std::size_t lane = 0; lane < lanes; ++lane) load_wide(vertices[lane], lane, batch);
     }
-    batch.exponent[lane] = 0;
-    for (std::size_t i = 0; i < N; ++i) {
-      const Site<D>& site = sites[vertices[i]];
-      for (std::size_t axis = 0; axis < D; ++axis) batch.x[i][axis][lane] = site.x[axis];
-    }
+    measure_lanes_detail::measure(is_wide ? nullptr : sites.span().data(), vertices, roles, batch,
+                                  rows);
   }
 
  private:
-  // The simplex moved to the origin and scaled by a power of two to a size between 1/2 and 1.
+  // A simplex moved to the origin and scaled by a power of two to a size between 1/2 and 1.
   template <std::size_t N>
   void load_wide(const Vertices<N>& vertices, std::size_t lane, Batch<D, N>& batch) const {
     std::array<ExactSite<D>, N> exact;
@@ -218,11 +65,11 @@ struct Source {
 };
 
 // Loads, measures and stores batch after batch.
-// approach(simplex, step) takes one more step, 0 to 2, to bringing what a simplex is made of nearer
+// approach(simplex, step) takes one more step, 0 or 1, to bringing what a simplex is made of nearer
 // to the processor, load(simplex, lane) fills a lane, store(lane, place) writes one out.
 template <class Approach, class Load, class Measure, class Store>
 void in_batches(std::span<const std::uint32_t> simplices, const Approach& approach,
-                const Load& load, const Measure& measure_lanes, const Store& store) {
+                const Load& load, const Measure& measure, const Store& store) {
   const std::size_t size = simplices.size();
   const auto approach_from = [&](std::size_t begin, unsigned step) __attribute__((always_inline)) {
     const std::size_t end = std::min(begin + kLanes, size);
@@ -230,11 +77,10 @@ void in_batches(std::span<const std::uint32_t> simplices, const Approach& approa
   };
   for (std::size_t begin = 0; begin < size; begin += kLanes) {
     const std::size_t lanes = std::min(kLanes, size - begin);
-    approach_from(begin + 3 * kLanes, 0);
-    approach_from(begin + 2 * kLanes, 1);
-    approach_from(begin + kLanes, 2);
+    approach_from(begin + 2 * kLanes, 0);
+    approach_from(begin + kLanes, 1);
     for (std::size_t lane = 0; lane < lanes; ++lane) load(simplices[begin + lane], lane);
-    measure_lanes();
+    measure(lanes);
     for (std::size_t lane = 0; lane < lanes; ++lane) store(lane, begin + lane);
   }
 }
@@ -243,169 +89,186 @@ void in_batches(std::span<const std::uint32_t> simplices, const Approach& approa
 template <int D, std::uint32_t kPlaces>
 class FaceApproach {
  public:
-  FaceApproach(const Filtration<D>& filtration, int dimension,
-               std::span<const std::uint32_t> owners)
+  FaceApproach(const Filtration<D>& filtration, std::span<const std::uint32_t> owners)
       : cells_(filtration.triangulation().template cells<D>()),
         sites_(filtration.triangulation().sites().span()),
-        first_(filtration.table().first(dimension)),
         owners_(owners) {}
 
   [[gnu::always_inline]] void operator()(std::uint32_t face, unsigned step) const {
     if (cells_.empty()) return;
-    const std::uint32_t& owner = owners_[face - first_];
-    if (step == 0) return __builtin_prefetch(&owner);
-    const CellRecord<D>& record = cells_[owner / kPlaces];
-    if (step == 1) return __builtin_prefetch(&record);
+    const CellRecord<D>& record = cells_[owners_[face] / kPlaces];
+    if (step == 0) return __builtin_prefetch(&record);
     for (const std::uint32_t corner : record.corners) __builtin_prefetch(&sites_[corner]);
   }
 
  private:
   std::span<const CellRecord<D>> cells_;
   std::span<const Site<D>> sites_;
-  std::uint32_t first_;
   std::span<const std::uint32_t> owners_;
 };
 
-// The areas of a cell's facets as the facets themselves give them, each in its own scale: in the
-// cell's scale a small one may vanish.
+// `term`, or 0 if it is too large; then `count` grows by `step`.
+double unless_large(double term, std::int8_t& count, int step) {
+  if (std::abs(term) <= Contributions<3>::kLargestTerm) return term;
+  count = static_cast<std::int8_t>(count + step);
+  return 0.0;
+}
+
+// The areas and perimeters of a cell's facets as the facets themselves give them, each in its own
+// scale: in the cell's scale a small one may vanish. Adds them to the terms of the cell.
 template <int D>
 void measure_facets_alone(const Source<D>& source, const Vertices<kCorners<D>>& vertices,
-                          CellContribution<D>& cell) {
+                          unsigned roles, CellTerms& cell, LargeTerms& large) {
+  std::array<Vertices<kCorners<D> - 1>, kLanes> facets{};
+  for (std::size_t i = 0; i < kCorners<D>; ++i) {
+    for (std::size_t j = 0; j < D; ++j) facets[i][j] = vertices[j < i ? j : j + 1];
+  }
   Batch<D, kCorners<D> - 1> batch{};
   FacetRows rows;
+  source.measure(facets, kCorners<D>, nullptr, batch, rows);
+  const auto add = [](double term, double& sum, double& error) {
+    const Exactly exactly = two_sum(sum, term);
+    sum = exactly.high;
+    error += exactly.low;
+  };
   for (std::size_t i = 0; i < kCorners<D>; ++i) {
-    Vertices<kCorners<D> - 1> facet{};
-    for (std::size_t j = 0; j < facet.size(); ++j) facet[j] = vertices[j < i ? j : j + 1];
-    source.load(facet, i, batch);
-  }
-  measure(batch, rows);
-  for (std::size_t i = 0; i < kCorners<D>; ++i) {
-    cell.facets[i] = std::ldexp(rows.area[i], (D - 1) * batch.exponent[i]);
+    const bool is_second = (roles >> i & FacetRoles<D>::kIsSecond) != 0;
+    const bool is_singular = (roles >> i & FacetRoles<D>::kEntersWith) == 0;
+    const double area = std::ldexp(rows.area[i], (D - 1) * batch.exponent[i]);
+    const double regular = unless_large(area, large.regular, is_second ? -1 : 1);
+    add(is_second ? -regular : regular, cell.regular, cell.regular_error);
+    if (is_second) continue;
+    if (is_singular) {
+      add(-unless_large(area, large.singular, -1), cell.singular, cell.singular_error);
+    } else {
+      const double perimeter = std::ldexp(rows.perimeter[i], batch.exponent[i]);
+      cell.length -= unless_large(perimeter, large.length, 1);
+    }
   }
 }
 
 }  // namespace
 
 template <int D>
-Contributions<D>::Contributions(const Filtration<D>& filtration)
+Contributions<D>::Contributions(const Filtration<D>& filtration,
+                                std::span<const std::uint8_t> roles)
     : filtration_(&filtration),
+      roles_(roles),
       unit_exponent_(filtration.triangulation().sites().scale_exponent()) {}
 
 template <int D>
-Contributions<D>::Contributions(const Filtration<D>& filtration, int unit_exponent)
-    : filtration_(&filtration), is_wide_(true), unit_exponent_(unit_exponent) {}
+Contributions<D>::Contributions(const Filtration<D>& filtration,
+                                std::span<const std::uint8_t> roles, int unit_exponent)
+    : filtration_(&filtration), roles_(roles), is_wide_(true), unit_exponent_(unit_exponent) {}
 
 template <int D>
-void Contributions<D>::measure(std::span<const std::uint32_t> cells,
-                               std::span<CellContribution<D>> out) const {
-  const RegularTriangulation<D>& triangulation = filtration_->triangulation();
-  const Source<D> source{triangulation.sites(), is_wide_, unit_exponent_};
-  const auto records = triangulation.template cells<D>();
-  const std::uint32_t first = filtration_->table().first(D);
-  const std::span<const std::uint32_t> enters = filtration_->enters().subspan(first);
+void Contributions<D>::measure(std::span<const std::uint32_t> cells, std::span<CellTerms> out,
+                               std::span<LargeTerms> large) const {
+  const auto records = filtration_->triangulation().template cells<D>();
+  const Source<D> source{filtration_->triangulation().sites(), is_wide_, unit_exponent_};
   Batch<D, kCorners<D>> batch{};
+  BitsRow roles{};
   CellRows<D> rows;
-  std::array<Vertices<kCorners<D>>, kLanes> vertices;
-  // [lane][corner]: the sign of the facet opposite.
-  std::array<std::array<std::uint64_t, kCorners<D>>, kLanes> signs;
-  constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63U;
+  std::array<Vertices<kCorners<D>>, kLanes> vertices{};
 
-  const auto approach = [&](std::uint32_t simplex, unsigned step) __attribute__((always_inline)) {
-    const std::uint32_t cell = simplex - first;
+  const auto approach = [&](std::uint32_t cell, unsigned step) __attribute__((always_inline)) {
     const CellRecord<D>& record = records[cell];
     if (step == 0) return __builtin_prefetch(&record);
-    if (step == 1) {
-      __builtin_prefetch(&enters[cell]);
-      for (const std::uint32_t beyond : record.neighbours) {
-        if (beyond != kOutside) __builtin_prefetch(&enters[beyond / 4]);
-      }
-      return;
-    }
     for (const std::uint32_t corner : record.corners) __builtin_prefetch(&source.sites[corner]);
   };
-  const auto load = [&](std::uint32_t simplex, std::size_t lane) {
-    const std::uint32_t cell = simplex - first;
-    const CellRecord<D>& record = records[cell];
-    const auto place_in_filter = [&](std::uint32_t of) {
-      return std::uint64_t{enters[of]} << 32U | of;
-    };
-    const std::uint64_t own = place_in_filter(cell);
-    for (std::size_t corner = 0; corner < kCorners<D>; ++corner) {
-      const std::uint32_t beyond = record.neighbours[corner];
-      signs[lane][corner] =
-          place_in_filter(beyond == kOutside ? cell : beyond / 4) < own ? kSignBit : 0;
-    }
+  const auto load = [&](std::uint32_t cell, std::size_t lane) {
     // Corners ascend but for the last two.
-    vertices[lane] = record.corners;
-    const bool descend = vertices[lane][D] < vertices[lane][D - 1];
-    vertices[lane][D - 1] = std::min(record.corners[D - 1], record.corners[D]);
-    vertices[lane][D] = std::max(record.corners[D - 1], record.corners[D]);
-    const std::array last{signs[lane][D - 1], signs[lane][D]};
-    signs[lane][D - 1] = last[descend ? 1 : 0];
-    signs[lane][D] = last[descend ? 0 : 1];
-    source.load(vertices[lane], lane, batch);
+    vertices[lane] = records[cell].corners;
+    const std::uint32_t a = vertices[lane][D - 1], b = vertices[lane][D];
+    vertices[lane][D - 1] = std::min(a, b);
+    vertices[lane][D] = std::max(a, b);
+    const unsigned bits = roles_.empty() ? 0U : roles_[cell];
+    const unsigned changed = b < a ? (bits >> 1U ^ bits) & 0x11U << (D - 1) : 0U;
+    roles[lane] = bits ^ changed ^ changed << 1U;
   };
   const auto store = [&](std::size_t lane, std::size_t place) {
-    CellContribution<D>& cell = out[place];
+    CellTerms& cell = out[place];
     cell.volume = rows.volume[lane];
-    cell.length = rows.length[lane];
-    for (std::size_t i = 0; i < kCorners<D>; ++i) cell.facets[i] = rows.facets[i][lane];
-    if (is_wide_) {
-      cell.volume = std::ldexp(cell.volume, D * batch.exponent[lane]);
-      measure_facets_alone(source, vertices[lane], cell);
-    }
+    cell.length = rows.length[lane] + rows.perimeter[lane];
+    cell.singular = rows.singular[lane];
+    cell.regular = rows.regular[lane];
+    cell.singular_error = rows.singular_error[lane];
+    cell.regular_error = rows.regular_error[lane];
+    const bool is_thin = D == 3 && rows.excess[lane] < 0.0;
+    if (!is_wide_ && !is_thin) return;
+    double volume = 0.0, length = 0.0;
     if constexpr (D == 3) {
-      if (is_wide_ || rows.excess[lane] < 0.0) {
-        const ThinCell thin = thin_cell(source.sites, vertices[lane],
-                                        source.sites.exact_scale_exponent() - unit_exponent_);
-        cell.volume = thin.volume;
-        cell.length = thin.length;
-      }
+      const ThinCell thin = thin_cell(source.sites, vertices[lane],
+                                      source.sites.exact_scale_exponent() - unit_exponent_);
+      volume = thin.volume;
+      length = thin.length;
+    } else {
+      volume = std::ldexp(cell.volume, D * batch.exponent[lane]);
     }
-    for (std::size_t i = 0; i < kCorners<D>; ++i) {
-      const auto area = std::bit_cast<std::uint64_t>(cell.facets[i]);
-      cell.facets[i] = std::bit_cast<double>(area ^ signs[lane][i]);
+    if (!is_wide_) {
+      cell.volume = volume;
+      cell.length = length + rows.perimeter[lane];
+      return;
     }
+    large[place] = {};
+    cell = {};
+    cell.volume = unless_large(volume, large[place].volume, 1);
+    cell.length = unless_large(length, large[place].length, 1);
+    measure_facets_alone(source, vertices[lane], static_cast<unsigned>(roles[lane]), cell,
+                         large[place]);
   };
   in_batches(
-      cells, approach, load, [&] { orthoball::measure(batch, rows); }, store);
+      cells, approach, load,
+      [&](std::size_t lanes) { source.measure(vertices, lanes, &roles, batch, rows); }, store);
 }
 
 template <int D>
-void Contributions<D>::measure(std::span<const std::uint32_t> facets,
-                               std::span<FacetContribution> out) const {
+void Contributions<D>::measure(std::span<const std::uint32_t> facets, std::span<FacetTerms> out,
+                               std::span<LargeTerms> large) const {
   const Source<D> source{filtration_->triangulation().sites(), is_wide_, unit_exponent_};
+  const std::uint32_t first = filtration_->table().first(D - 1);
+  std::array<Vertices<kCorners<D> - 1>, kLanes> vertices{};
   Batch<D, kCorners<D> - 1> batch{};
   FacetRows rows;
   in_batches(
-      facets, FaceApproach<D, 4>(*filtration_, D - 1, filtration_->table().facet_owners()),
-      [&](std::uint32_t simplex, std::size_t lane) {
-        source.load(face_vertices<kCorners<D> - 1>(*filtration_, SimplexId(simplex)), lane, batch);
+      facets, FaceApproach<D, 4>(*filtration_, filtration_->table().facet_owners()),
+      [&](std::uint32_t facet, std::size_t lane) {
+        vertices[lane] = face_vertices<kCorners<D> - 1>(*filtration_, SimplexId(first + facet));
       },
-      [&] { orthoball::measure(batch, rows); },
+      [&](std::size_t lanes) { source.measure(vertices, lanes, nullptr, batch, rows); },
       [&](std::size_t lane, std::size_t place) {
-        out[place] = {rows.area[lane], rows.perimeter[lane]};
+        out[place] = {-rows.perimeter[lane], rows.area[lane]};
         if (!is_wide_) return;
-        out[place].area = std::ldexp(out[place].area, (D - 1) * batch.exponent[lane]);
-        out[place].perimeter = std::ldexp(out[place].perimeter, batch.exponent[lane]);
+        FacetTerms& terms = out[place];
+        large[place] = {};
+        terms.area = unless_large(std::ldexp(terms.area, (D - 1) * batch.exponent[lane]),
+                                  large[place].singular, 1);
+        terms.length =
+            unless_large(std::ldexp(terms.length, batch.exponent[lane]), large[place].length, 1);
       });
 }
 
 template <int D>
-void Contributions<D>::measure(std::span<const std::uint32_t> edges,
-                               std::span<EdgeContribution> out) const {
+void Contributions<D>::measure(std::span<const std::uint32_t> edges, std::span<EdgeTerm> out,
+                               std::span<LargeTerms> large) const {
   if constexpr (D == 3) {
     const Source<D> source{filtration_->triangulation().sites(), is_wide_, unit_exponent_};
+    const std::uint32_t first = filtration_->table().first(1);
+    std::array<Vertices<2>, kLanes> vertices{};
     Batch<D, 2> batch{};
     Row lengths;
     in_batches(
-        edges, FaceApproach<D, 6>(*filtration_, 1, filtration_->table().edge_owners()),
-        [&](std::uint32_t simplex, std::size_t lane) {
-          source.load(face_vertices<2>(*filtration_, SimplexId(simplex)), lane, batch);
+        edges, FaceApproach<D, 6>(*filtration_, filtration_->table().edge_owners()),
+        [&](std::uint32_t edge, std::size_t lane) {
+          vertices[lane] = face_vertices<2>(*filtration_, SimplexId(first + edge));
         },
-        [&] { orthoball::measure(batch, lengths); },
+        [&](std::size_t lanes) { source.measure(vertices, lanes, nullptr, batch, lengths); },
         [&](std::size_t lane, std::size_t place) {
-          out[place] = is_wide_ ? std::ldexp(lengths[lane], batch.exponent[lane]) : lengths[lane];
+          out[place] = lengths[lane];
+          if (!is_wide_) return;
+          large[place] = {};
+          out[place] =
+              unless_large(std::ldexp(out[place], batch.exponent[lane]), large[place].length, 1);
         });
   }
 }

@@ -8,6 +8,7 @@
 #include "orthoball/signatures/notable_alphas.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 
@@ -125,12 +126,20 @@ std::vector<NotableAlpha> notable_alphas(const Filtration<D>& filtration) {
   {
     BettiScan<D> betti_scan(filtration);
     RoleCounts<D> roles(filtration);
+    std::array<RoleChangeCounts<D>, static_cast<std::size_t>(D)> counts;  // below the cells
+    for (std::size_t k = 0; k < counts.size(); ++k) counts[k] = {filtration, static_cast<int>(k)};
     FilterSteps<D> steps(filtration);
     while (steps.next()) {
       const std::uint32_t index = steps.index();
-      roles.advance(steps.entering());
+      RoleChanges<D> changes;
+      changes.entering = steps.entering();
+      for (std::size_t k = 0; k < counts.size(); ++k) {
+        changes.regular[k] = counts[k].regular.count(index);
+        changes.interior[k] = counts[k].interior.count(index);
+      }
+      roles.advance(changes);
       betti_scan.advance(steps.entering());
-      const BettiNumbers<D>& betti = betti_scan.betti();
+      const BettiNumbers<D> betti = betti_scan.betti();
       const bool has_all = roles.has_all_vertices();
       if (has_all && !all_vertices) all_vertices = index;
       connected.visit(index, has_all && betti[0] == 1);

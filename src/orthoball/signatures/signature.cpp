@@ -1,86 +1,49 @@
 // SPDX-License-Identifier: MIT
-//
-// One pass over the indices. What a simplex adds when it enters comes from the filter, step by
-// step; when simplices become regular or interior comes from histograms over the indices; the
-// Betti numbers come from a mark per simplex, made before.
 #include "orthoball/signatures/signature.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <string>
 
 #include "orthoball/error.h"
-#include "orthoball/filtration/filter_steps.h"
-#include "orthoball/measures/complex_measures.h"
-#include "orthoball/signatures/role_counts.h"
-#include "orthoball/topology/betti.h"
+#include "orthoball/signatures/signature_scan.h"
 
 namespace orthoball {
 namespace {
 
-// The state of a scan, and the signature at the index it has come to.
-template <int D>
-class SignatureScan {
- public:
-  explicit SignatureScan(const Filtration<D>& filtration)
-      : filtration_(filtration),
-        betti_(filtration),
-        steps_(filtration),
-        roles_(filtration),
-        measures_(filtration) {}
-
-  bool next() {
-    if (!steps_.next()) return false;
-    const ByDimension<D>& entering = steps_.entering();
-    roles_.advance(entering);
-    betti_.advance(entering);
-    measures_.advance(entering);
-    return true;
-  }
-
-  void read(Signature<D>& signature) {
-    signature.index = steps_.index();
-    signature.alpha2 = signature.index == 0 ? -std::numeric_limits<double>::infinity()
-                                            : filtration_.alpha2(signature.index);
-    signature.betti = betti_.betti();
-    signature.euler = roles_.euler();
-    signature.exterior = roles_.exterior();
-    signature.singular = roles_.singular();
-    signature.regular = roles_.regular();
-    signature.interior = roles_.interior();
-    const ComplexMeasures& measures = measures_.measures();
-    signature.volume = measures.volume;
-    signature.area_singular = measures.area_singular;
-    signature.area_regular = measures.area_regular;
-    signature.area = measures.area;
-    signature.length = measures.length;
-  }
-
- private:
-  const Filtration<D>& filtration_;
-  BettiScan<D> betti_;
-  FilterSteps<D> steps_;
-  RoleCounts<D> roles_;
-  MeasureScan<D> measures_;
-};
+// Fewer simplices than this for each thread are done sooner by one.
+constexpr std::size_t kLeastSimplices = 50'000;
 
 }  // namespace
 
 template <int D>
 void scan_signatures(const Filtration<D>& filtration,
-                     const std::function<void(const Signature<D>&)>& visit) {
-  SignatureScan<D> scan(filtration);
-  Signature<D> signature;
+                     const std::function<void(const Signature<D>&)>& visit, Threads threads) {
+  threads = threads.for_work(filtration.size(), kLeastSimplices);
+  constexpr std::size_t kBlock = SignatureScan<D>::kBlock;
+  SignatureScan<D> scan(filtration, threads);
+  std::vector<Signature<D>> block(kBlock);
   while (scan.next()) {
-    scan.read(signature);
-    visit(signature);
+    // One thread writes each block while it is in the nearest cache.
+    const std::size_t at_once = threads.count() == 1 ? 1 : scan.block_count();
+    if (block.size() < at_once * kBlock) block.resize(at_once * kBlock);
+    for (std::size_t first = 0; first < scan.block_count(); first += at_once) {
+      const std::size_t blocks = std::min(at_once, scan.block_count() - first);
+      parallel_for(threads, blocks, [&](std::size_t i) {
+        scan.read(first + i, std::span(block).subspan(i * kBlock, kBlock));
+      });
+      const std::size_t size =
+          std::min(blocks * kBlock, scan.end_index() - scan.first_index() - first * kBlock);
+      for (std::size_t i = 0; i < size; ++i) {
+        if (block[i].index != 0) visit(block[i]);
+      }
+    }
   }
 }
 
 template <int D>
 std::vector<Signature<D>> signatures(const Filtration<D>& filtration,
-                                     std::span<const std::uint32_t> indices) {
+                                     std::span<const std::uint32_t> indices, Threads threads) {
   for (const std::uint32_t index : indices) {
     if (index <= filtration.spectrum_size()) continue;
     throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
@@ -94,22 +57,29 @@ std::vector<Signature<D>> signatures(const Filtration<D>& filtration,
             [&](std::size_t a, std::size_t b) { return indices[a] < indices[b]; });
   std::vector<Signature<D>> result(indices.size());
   if (indices.empty()) return result;
-  SignatureScan<D> scan(filtration);
-  std::uint32_t reached = 0;
+  SignatureScan<D> scan(filtration, threads.for_work(filtration.size(), kLeastSimplices));
+  std::vector<Signature<D>> block(SignatureScan<D>::kBlock);
+  std::uint32_t begin = 0, end = 0;  // of the block
   for (const std::size_t i : order) {
-    for (; reached < indices[i]; ++reached) scan.next();
-    scan.read(result[i]);
+    while (indices[i] >= scan.end_index() && scan.next()) {
+    }
+    if (indices[i] >= end) {
+      const std::uint32_t number = (indices[i] - scan.first_index()) / SignatureScan<D>::kBlock;
+      begin = scan.first_index() + number * SignatureScan<D>::kBlock;
+      end = begin + static_cast<std::uint32_t>(scan.read(number, block));
+    }
+    result[i] = block[indices[i] - begin];
   }
   return result;
 }
 
 template void scan_signatures<2>(const Filtration<2>&,
-                                 const std::function<void(const Signature<2>&)>&);
+                                 const std::function<void(const Signature<2>&)>&, Threads);
 template void scan_signatures<3>(const Filtration<3>&,
-                                 const std::function<void(const Signature<3>&)>&);
+                                 const std::function<void(const Signature<3>&)>&, Threads);
 template std::vector<Signature<2>> signatures<2>(const Filtration<2>&,
-                                                 std::span<const std::uint32_t>);
+                                                 std::span<const std::uint32_t>, Threads);
 template std::vector<Signature<3>> signatures<3>(const Filtration<3>&,
-                                                 std::span<const std::uint32_t>);
+                                                 std::span<const std::uint32_t>, Threads);
 
 }  // namespace orthoball

@@ -8,6 +8,7 @@
 
 #include "orthoball/filtration/filter_steps.h"
 #include "orthoball/filtration/filtration.h"
+#include "orthoball/parallel.h"
 #include "orthoball/topology/betti.h"
 
 namespace orthoball {
@@ -34,15 +35,16 @@ struct Signature {
 };
 
 /// Calls `visit` with the signature of every index 1..s in order (index 0, the empty complex, is
-/// not visited). One scan of the filter: O(n) time; at most 250 bytes of extra memory a site.
+/// not visited), from the caller's thread. O(n) time; at most 250 bytes of extra memory a site.
 template <int D>
 void scan_signatures(const Filtration<D>& filtration,
-                     const std::function<void(const Signature<D>&)>& visit);
+                     const std::function<void(const Signature<D>&)>& visit, Threads threads = {});
 
 /// The signatures at the given indices (0..s, any order, repeats allowed), in that order; one scan.
 /// @throws InputError for an index beyond s.
 template <int D>
 [[nodiscard]] std::vector<Signature<D>> signatures(const Filtration<D>& filtration,
-                                                   std::span<const std::uint32_t> indices);
+                                                   std::span<const std::uint32_t> indices,
+                                                   Threads threads = {});
 
 }  // namespace orthoball

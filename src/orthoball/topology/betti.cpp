@@ -16,7 +16,7 @@
 // found along space instead of along the filter, in which neighbours are far apart in memory.
 #include "orthoball/topology/betti.h"
 
-#include <limits>
+#include <algorithm>
 #include <span>
 #include <string>
 #include <utility>
@@ -50,8 +50,7 @@ struct Components {
   }
   // By then nearly all vertices of evenly spread sites are connected.
   [[nodiscard]] std::uint32_t light_weight() const {
-    constexpr std::size_t kPart = D == 3 ? 7 : 3;
-    return filtration.enters(filtration.filter()[filtration.size() / kPart]);
+    return filtration.spectrum_size() / (D == 3 ? 6 : 3);
   }
 
  private:
@@ -62,29 +61,80 @@ struct Components {
 
 // The cells, the outside as the last node, and the triangles between them; the last triangle of the
 // filter is the least.
-struct Voids {
-  const Filtration<3>& filtration;
-  std::span<const CellRecord<3>> cells = filtration.triangulation().cells<3>();
-  std::span<const std::uint32_t> owners = filtration.table().facet_owners();
+//
+// A cell that enters with one of its triangles takes the last of these first: none of its triangles
+// enters later, so that one is its least edge. Most cells have one, and follow it to the cell
+// beyond, which enters later. What is left are the trees that end at cells without, or outside.
+class Voids {
+ public:
+  Voids(const Filtration<3>& filtration, const FacetRoles<3>& roles)
+      : enters_(filtration.enters()),
+        cells_(filtration.triangulation().cells<3>()),
+        owners_(filtration.table().facet_owners()),
+        first_triangle_(filtration.table().first(2)),
+        roles_(roles.of_cells()) {}
 
-  [[nodiscard]] std::uint32_t node_count() const { return outside() + 1; }
-  [[nodiscard]] std::uint32_t edge_count() const {
-    return static_cast<std::uint32_t>(owners.size());
+  // Calls end(cell) for the cells at which trees end, and mark(triangle) for the triangles that
+  // join trees, by number within their dimension. Every other cell is joined by its own triangle,
+  // which enters at the same index, and mark_own(cell, corner) is called.
+  template <class Mark, class MarkOwn, class End>
+  void build(const Mark& mark, const MarkOwn& mark_own, const End& end) const {
+    std::vector<std::uint32_t> tree(cells_.size() + 1);
+    for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
+      const std::uint32_t corner = own_triangle(cell);
+      tree[cell] = is_end(cell, corner) ? cell : beyond(cell, corner);
+      tree[cell] == cell ? end(cell) : mark_own(cell, corner);
+    }
+    tree[outside()] = outside();
+    std::uint32_t tree_count = number_roots(tree);
+    const auto triangle_count = static_cast<std::uint32_t>(owners_.size());
+    const auto joint = [&](std::uint32_t i) -> Joint {
+      const std::uint32_t triangle = triangle_count - 1 - i;
+      const std::uint32_t owner = owners_[triangle];
+      return {tree[owner / 4], tree[beyond(owner / 4, owner % 4)],
+              ~enters_[first_triangle_ + triangle], triangle};
+    };
+    join(joints_of(triangle_count, joint), tree_count, mark);
   }
-  [[nodiscard]] Ends ends(std::uint32_t edge) const {
-    const std::uint32_t owner = owners[triangle(edge)];
-    const std::uint32_t beyond = cells[owner / 4].neighbours[owner % 4];
-    return {owner / 4, beyond == kOutside ? outside() : beyond / 4};
-  }
-  [[nodiscard]] std::uint32_t weight(std::uint32_t edge) const {
-    const SimplexId simplex(filtration.table().first(2) + triangle(edge));
-    return filtration.spectrum_size() - filtration.enters(simplex);
-  }
-  [[nodiscard]] std::uint32_t light_weight() const { return filtration.spectrum_size(); }
-  [[nodiscard]] std::uint32_t triangle(std::uint32_t edge) const { return edge_count() - 1 - edge; }
 
  private:
-  [[nodiscard]] std::uint32_t outside() const { return static_cast<std::uint32_t>(cells.size()); }
+  static constexpr std::uint32_t kNone = 4;
+
+  [[nodiscard]] std::uint32_t outside() const { return static_cast<std::uint32_t>(cells_.size()); }
+  [[nodiscard]] std::uint32_t beyond(std::uint32_t cell, std::uint32_t corner) const {
+    const std::uint32_t neighbour = cells_[cell].neighbours[corner];
+    return neighbour == kOutside ? outside() : neighbour / 4;
+  }
+  // The corner opposite the last of the triangles that enter with a cell, or kNone.
+  [[nodiscard]] std::uint32_t own_triangle(std::uint32_t cell) const {
+    const unsigned entering = unsigned{roles_[cell]} / FacetRoles<3>::kEntersWith;
+    std::uint32_t last = 0, result = kNone;
+    for (std::uint32_t corner = 0; corner < 4; ++corner) {
+      // Triangles are in the order of their places in their owners, the smaller of two cells;
+      // kOutside is larger than any.
+      const std::uint32_t neighbour = cells_[cell].neighbours[corner];
+      const std::uint32_t place = neighbour / 4 < cell ? neighbour : 4 * cell + corner;
+      const bool is_later = ((entering >> corner & 1U) != 0) & (place >= last);
+      last = is_later ? place : last;
+      result = is_later ? corner : result;
+    }
+    return result;
+  }
+  // Whether a cell has no triangle of its own, or is the smaller of two that have the same.
+  [[nodiscard]] bool is_end(std::uint32_t cell, std::uint32_t corner) const {
+    if (corner == kNone) return true;
+    const std::uint32_t neighbour = cells_[cell].neighbours[corner];
+    if (neighbour == kOutside || neighbour / 4 < cell) return false;
+    const unsigned roles_beyond = unsigned{roles_[neighbour / 4]} >> neighbour % 4;
+    if ((roles_beyond & FacetRoles<3>::kEntersWith) == 0) return false;
+    return own_triangle(neighbour / 4) == neighbour % 4;
+  }
+
+  std::span<const std::uint32_t> enters_;
+  std::span<const CellRecord<3>> cells_;
+  std::span<const std::uint32_t> owners_;
+  std::uint32_t first_triangle_;
+  std::span<const std::uint8_t> roles_;
 };
 
 }  // namespace
@@ -93,61 +143,137 @@ template <int D>
 CycleMarks<D>::CycleMarks(const Filtration<D>& filtration)
     : first_edge_(filtration.table().first(1)),
       first_triangle_(filtration.table().first(2)),
-      size_(static_cast<std::uint32_t>(filtration.size())),
       forests_(filtration.size() / 64 + 1, 0) {
+  const auto mark = [&](std::uint32_t row) { forests_[row / 64] |= std::uint64_t{1} << row % 64; };
   if (filtration.count(1) > 0) {
     mark_spanning_forest(Components<D>{filtration},
                          [&](std::uint32_t edge) { mark(first_edge_ + edge); });
   }
   if constexpr (D == 3) {
-    const Voids voids{filtration};
-    if (voids.cells.empty()) return;
-    mark_spanning_forest(voids,
-                         [&](std::uint32_t edge) { mark(first_triangle_ + voids.triangle(edge)); });
+    if (filtration.count(3) == 0) return;
+    const auto cells = filtration.triangulation().template cells<3>();
+    Voids(filtration, FacetRoles<3>(filtration))
+        .build([&](std::uint32_t triangle) { mark(first_triangle_ + triangle); },
+               [&](std::uint32_t cell, unsigned corner) {
+                 mark(first_triangle_ +
+                      filtration.table().template facet_of_cell<3>(cells, cell, corner));
+               },
+               [](std::uint32_t) {});
   }
 }
 
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+
+// When edges join components.
 template <int D>
-BettiScan<D>::BettiScan(const Filtration<D>& filtration) {
-  const CycleMarks<D> marks(filtration);
-  const auto entering = [&](const auto& visit) {
-    return [&](SimplexId simplex) { visit(filtration.enters(simplex)); };
+Indices joining_indices(const Filtration<D>& filtration) {
+  Indices indices;
+  const std::uint32_t first = filtration.table().first(1);
+  if (filtration.count(1) == 0) return indices;
+  mark_spanning_forest(Components<D>{filtration}, [&](std::uint32_t edge) {
+    indices.push_back(filtration.enters(SimplexId(first + edge)));
+  });
+  return indices;
+}
+
+// When voids open and when they close.
+struct VoidIndices {
+  Indices opening, closing;
+};
+VoidIndices void_indices(const Filtration<3>& filtration, const FacetRoles<3>& roles) {
+  VoidIndices indices;
+  if (filtration.count(3) == 0) return indices;
+  const auto add = [&](int dimension, Indices& to) {
+    return [&filtration, &to, first = filtration.table().first(dimension)](std::uint32_t number) {
+      to.push_back(filtration.enters(SimplexId(first + number)));
+    };
   };
-  joining_ = {filtration.spectrum_size(),
-              [&](const auto& visit) { marks.for_each_joining(entering(visit)); }};
-  cutting_ = {filtration.spectrum_size(),
-              [&](const auto& visit) { marks.for_each_cutting(entering(visit)); }};
+  Voids(filtration, roles)
+      .build(
+          add(2, indices.opening), [](std::uint32_t, std::uint32_t) {}, add(3, indices.closing));
+  return indices;
+}
+
+IndexCounts counted(std::uint32_t largest, const Indices& indices) {
+  return {largest, [&](const auto& visit) {
+            for (const std::uint32_t index : indices) visit(index);
+          }};
+}
+
+// Fewer simplices than this for each thread are done sooner by one.
+constexpr std::size_t kLeastSimplices = 50'000;
+
+}  // namespace
+
+template <int D>
+CycleCounts<D>::CycleCounts(const Filtration<D>& filtration, const FacetRoles<D>& roles,
+                            Threads threads) {
+  const std::uint32_t largest = filtration.spectrum_size();
+  parallel_for(threads, D == 3 ? 2 : 1, [&](std::size_t task) {
+    if constexpr (D == 3) {
+      if (task == 0) {
+        const VoidIndices voids = void_indices(filtration, roles);
+        opening = counted(largest, voids.opening);
+        closing = counted(largest, voids.closing);
+        return;
+      }
+    }
+    joining = counted(largest, joining_indices(filtration));
+  });
 }
 
 template <int D>
 void BettiScan<D>::advance(const ByDimension<D>& entering) {
   ++index_;
-  const std::uint32_t joining = joining_.count(index_);
-  const std::uint32_t cutting = cutting_.count(index_);
-  betti_[0] += entering[0] - joining;
-  betti_[1] += (entering[1] - joining) - (entering[2] - cutting);
-  if constexpr (D == 3) betti_[2] += cutting - entering[3];
+  for (std::size_t k = 0; k < entering.size(); ++k) entered_[k] += entering[k];
+  joined_ += counts_.joining.count(index_);
+  voids_ += counts_.opening.count(index_);
+  voids_ -= counts_.closing.count(index_);
 }
 
 template <int D>
-BettiNumbers<D> betti_numbers(const Filtration<D>& filtration, std::uint32_t index) {
+BettiNumbers<D> betti_numbers(const Filtration<D>& filtration, std::uint32_t index,
+                              Threads threads) {
   if (index > filtration.spectrum_size()) {
     throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
                      "index " + std::to_string(index) +
                          " is beyond the spectrum; indices are 0 to " +
                          std::to_string(filtration.spectrum_size()));
   }
-  BettiScan<D> scan(filtration);
-  FilterSteps<D> steps(filtration);
-  while (steps.index() < index && steps.next()) scan.advance(steps.entering());
-  return scan.betti();
+  threads = threads.for_work(filtration.size(), kLeastSimplices);
+  const FacetRoles<D> roles(filtration, threads);
+  const auto up_to_index = [&](std::span<const std::uint32_t> indices) {
+    return static_cast<std::uint32_t>(std::count_if(indices.begin(), indices.end(),
+                                                    [&](std::uint32_t of) { return of <= index; }));
+  };
+  std::uint32_t joined = 0, voids = 0;
+  parallel_for(threads, D == 3 ? 2 : 1, [&](std::size_t task) {
+    if constexpr (D == 3) {
+      if (task == 0) {
+        const VoidIndices indices = void_indices(filtration, roles);
+        voids = up_to_index(indices.opening) - up_to_index(indices.closing);
+        return;
+      }
+    }
+    joined = up_to_index(joining_indices(filtration));
+  });
+  ByDimension<D> entered{};
+  for (int k = 0; k <= D; ++k) {
+    entered[static_cast<std::size_t>(k)] =
+        up_to_index(filtration.enters().subspan(filtration.table().first(k), filtration.count(k)));
+  }
+  return betti_numbers<D>(entered, joined, voids);
 }
 
 template class CycleMarks<2>;
 template class CycleMarks<3>;
+template struct CycleCounts<2>;
+template struct CycleCounts<3>;
 template class BettiScan<2>;
 template class BettiScan<3>;
-template BettiNumbers<2> betti_numbers<2>(const Filtration<2>&, std::uint32_t);
-template BettiNumbers<3> betti_numbers<3>(const Filtration<3>&, std::uint32_t);
+template BettiNumbers<2> betti_numbers<2>(const Filtration<2>&, std::uint32_t, Threads);
+template BettiNumbers<3> betti_numbers<3>(const Filtration<3>&, std::uint32_t, Threads);
 
 }  // namespace orthoball

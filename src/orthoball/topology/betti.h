@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -11,6 +10,8 @@
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/filtration/index_counts.h"
 #include "orthoball/ids.h"
+#include "orthoball/parallel.h"
+#include "orthoball/topology/facet_roles.h"
 
 namespace orthoball {
 
@@ -35,60 +36,70 @@ class CycleMarks {
     const bool is_in_forest = (forests_[row / 64] >> row % 64 & 1U) != 0;
     return row < first_triangle_ ? !is_in_forest : is_in_forest;
   }
-  /// Calls `visit` for all edges that join two components, ascending.
-  template <class Visit>
-  void for_each_joining(const Visit& visit) const {
-    for_each_in_forest(first_edge_, first_triangle_, visit);
-  }
-  /// Calls `visit` for all triangles that cut a void, or the outside, in two, ascending.
-  template <class Visit>
-  void for_each_cutting(const Visit& visit) const {
-    for_each_in_forest(first_triangle_, size_, visit);
-  }
 
  private:
-  void mark(std::uint32_t row) { forests_[row / 64] |= std::uint64_t{1} << row % 64; }
-  template <class Visit>
-  void for_each_in_forest(std::uint32_t begin, std::uint32_t end, const Visit& visit) const {
-    for (std::uint32_t word = begin / 64; std::uint64_t{word} * 64 < end; ++word) {
-      for (std::uint64_t bits = forests_[word]; bits != 0; bits &= bits - 1) {
-        const std::uint32_t row = 64 * word + static_cast<std::uint32_t>(std::countr_zero(bits));
-        if (row >= begin && row < end) visit(SimplexId(row));
-      }
-    }
-  }
-
-  std::uint32_t first_edge_, first_triangle_, size_;
+  std::uint32_t first_edge_, first_triangle_;
   std::vector<std::uint64_t> forests_;  // bit per simplex: a joining edge or a cutting triangle
 };
 
-/// The Betti numbers of the alpha complexes of a filtration, one after the other. Two bytes for
-/// every edge that joins components and every triangle that cuts a void: 16 a site in space.
+/// At which indices components and voids come and go: how many at each. Left out are voids that are
+/// filled at the index at which they open. Two bytes for each: about 8 a site in space.
+template <int D>
+struct CycleCounts {
+  CycleCounts(const Filtration<D>& filtration, const FacetRoles<D>& roles,
+              Threads threads = Threads(1));
+
+  IndexCounts joining;           ///< edges that join two components
+  IndexCounts opening, closing;  ///< voids, in space
+};
+
+/// The Betti numbers of a complex with `entered` simplices, of which so many edges have joined
+/// components, and with so many voids.
+template <int D>
+[[nodiscard]] BettiNumbers<D> betti_numbers(const ByDimension<D>& entered, std::uint32_t joined,
+                                            std::uint32_t voids) {
+  BettiNumbers<D> betti{};
+  betti[0] = entered[0] - joined;
+  if constexpr (D == 3) betti[2] = voids;
+  // Vertices - edges + triangles - tetrahedra = betti 0 - betti 1 + betti 2.
+  betti[1] = (entered[1] - joined) - entered[2];
+  if constexpr (D == 3) betti[1] += entered[3] + voids;
+  return betti;
+}
+
+/// The Betti numbers of the alpha complexes of a filtration, one after the other.
 template <int D>
 class BettiScan {
  public:
   /// Begins with the empty complex.
-  explicit BettiScan(const Filtration<D>& filtration);
+  explicit BettiScan(const Filtration<D>& filtration, Threads threads = Threads(1))
+      : counts_(filtration, FacetRoles<D>(filtration, threads), threads) {}
 
   /// Goes on to the next index, at which `entering` simplices join.
   void advance(const ByDimension<D>& entering);
 
   /// Of all simplices added.
-  [[nodiscard]] const BettiNumbers<D>& betti() const { return betti_; }
+  [[nodiscard]] BettiNumbers<D> betti() const {
+    return betti_numbers<D>(entered_, joined_, voids_);
+  }
 
  private:
-  IndexCounts joining_, cutting_;  // edges and triangles, see CycleMarks
+  CycleCounts<D> counts_;
   std::uint32_t index_ = 0;
-  BettiNumbers<D> betti_{};
+  ByDimension<D> entered_{};
+  std::uint32_t joined_ = 0, voids_ = 0;
 };
 
 /// The Betti numbers of the complex at one index, 0..s. Takes as long as those of all.
 /// @throws InputError for an index beyond s.
 template <int D>
-[[nodiscard]] BettiNumbers<D> betti_numbers(const Filtration<D>& filtration, std::uint32_t index);
+[[nodiscard]] BettiNumbers<D> betti_numbers(const Filtration<D>& filtration, std::uint32_t index,
+                                            Threads threads = {});
 
 extern template class CycleMarks<2>;  // defined in betti.cpp
 extern template class CycleMarks<3>;
+extern template struct CycleCounts<2>;
+extern template struct CycleCounts<3>;
 extern template class BettiScan<2>;
 extern template class BettiScan<3>;
 

@@ -44,6 +44,17 @@ TEST(IndexCounts, CountsAcrossStretches) {
   }
 }
 
+TEST(IndexCounts, CountsAStretchAtATime) {
+  const IndexCounts counts = counts_of(5, {3, 5, 3});
+  std::vector<std::uint32_t> stretch(kIndexStretch, 7);
+  counts.count_stretch(0, stretch);
+  EXPECT_EQ(stretch[3], 2U);
+  EXPECT_EQ(stretch[4], 0U);
+  EXPECT_EQ(stretch[5], 1U);
+  counts.count_stretch(1, stretch);  // beyond the largest
+  EXPECT_EQ(stretch[3], 0U);
+}
+
 TEST(IndexCounts, SkipsStretchesAndReachesTheLargestIndices) {
   IndexCounts counts = counts_of(0xFFFFFFFFU, {0xFFFFFFFFU, 7, 0xFFFFFFFEU, 0xFFFFFFFFU});
   EXPECT_EQ(counts.count(7), 1U);
