@@ -18,7 +18,7 @@ Filtration<D> filtration_of(const WeightedPoints& points, const BuildOptions& op
   tell(BuildStage::triangulation);
   options.memory.require(alpha_shapes_memory(D, points.size()),
                          "the triangulation and filtration of " + sites);
-  RegularTriangulation<D> triangulation = regular_triangulation<D>(points);
+  RegularTriangulation<D> triangulation = regular_triangulation<D>(points, options.threads);
   tell(BuildStage::filtration);
   const std::size_t cells = triangulation.cell_count();
   options.memory.require(filtration_memory(D, points.size(), cells),

@@ -19,8 +19,7 @@ using generators::PointFamily;
 template <int D>
 bool have_the_same_bytes(const Signature<D>& a, const Signature<D>& b) {
   const auto numbers = [](const Signature<D>& of) {
-    return std::array{of.alpha2,       of.volume, of.area_singular,
-                      of.area_regular, of.area,   of.length};
+    return std::array{of.alpha2, of.volume, of.area_singular, of.area_regular, of.area, of.length};
   };
   const auto of_a = numbers(a), of_b = numbers(b);
   return std::memcmp(of_a.data(), of_b.data(), sizeof of_a) == 0 && a.index == b.index &&

@@ -146,7 +146,7 @@ std::vector<typename MeasureScan<D>::Bound> MeasureScan<D>::bounds(std::size_t p
 template <int D>
 typename MeasureScan<D>::Bound MeasureScan<D>::bound_at(std::uint32_t cell) const {
   const SimplexTable<D>& table = filtration_->table();
-  const auto first_of = [&](const std::vector<std::uint32_t>& owners, std::uint32_t places) {
+  const auto first_of = [&](std::span<const std::uint32_t> owners, std::uint32_t places) {
     return static_cast<std::uint32_t>(
         std::lower_bound(owners.begin(), owners.end(), std::uint64_t{cell} * places) -
         owners.begin());

@@ -27,9 +27,8 @@ void expect_sorted(std::uint32_t simplices, std::uint32_t indices, std::uint32_t
   }
   std::vector<SimplexId> expected;
   for (std::uint32_t i = 0; i < simplices; ++i) expected.emplace_back(i);
-  std::stable_sort(expected.begin(), expected.end(), [&](SimplexId a, SimplexId b) {
-    return enters[a.row()] < enters[b.row()];
-  });
+  std::stable_sort(expected.begin(), expected.end(),
+                   [&](SimplexId a, SimplexId b) { return enters[a.row()] < enters[b.row()]; });
   std::vector<SimplexId> order;
   for (const SimplexId simplex : expected) {
     if ((is_attached[simplex.row() / 64] >> simplex.row() % 64 & 1U) == 0) order.push_back(simplex);
@@ -46,8 +45,8 @@ void expect_sorted(std::uint32_t simplices, std::uint32_t indices, std::uint32_t
         fill_filter(order, starts, enters, is_attached, Threads(threads), filter);
     ASSERT_EQ(filter, expected);
     for (std::size_t i = 0; i <= simplices; ++i) {
-      const bool is_start = i == 0 || i == simplices ||
-                            enters[filter[i].row()] != enters[filter[i - 1].row()];
+      const bool is_start =
+          i == 0 || i == simplices || enters[filter[i].row()] != enters[filter[i - 1].row()];
       ASSERT_EQ((index_starts[i / 64] >> i % 64 & 1U) != 0, is_start) << "at " << i;
     }
   }
