@@ -18,29 +18,29 @@ using Four = double __attribute__((vector_size(32)));
 using FourBits = std::int64_t __attribute__((vector_size(32)));
 
 /// The coordinates and the weight.
-ORTHOBALL_AVX2 [[gnu::always_inline]] inline Four loaded(const Site<3>& site) {
+[[gnu::always_inline]] ORTHOBALL_AVX2 inline Four loaded(const Site<3>& site) {
   Four four;
   static_assert(sizeof four == sizeof site);
   std::memcpy(&four, &site, sizeof four);
   return four;
 }
-ORTHOBALL_AVX2 [[gnu::always_inline]] inline Four all(double number) {
+[[gnu::always_inline]] ORTHOBALL_AVX2 inline Four all(double number) {
   return Four{number, number, number, number};
 }
-ORTHOBALL_AVX2 [[gnu::always_inline]] inline Four absolute(Four a) {
+[[gnu::always_inline]] ORTHOBALL_AVX2 inline Four absolute(Four a) {
   const FourBits bits = {INT64_MAX, INT64_MAX, INT64_MAX, INT64_MAX};
   return reinterpret_cast<Four>(reinterpret_cast<FourBits>(a) & bits);
 }
 /// Bit i is the sign of lane i.
-ORTHOBALL_AVX2 [[gnu::always_inline]] inline std::uint32_t signs(FourBits lanes) {
+[[gnu::always_inline]] ORTHOBALL_AVX2 inline std::uint32_t signs(FourBits lanes) {
   return static_cast<std::uint32_t>(__builtin_ia32_movmskpd256(reinterpret_cast<Four>(lanes)));
 }
 /// Lane i has what lane i ^ 1 had.
-ORTHOBALL_AVX2 [[gnu::always_inline]] inline Four turned1(Four a) {
+[[gnu::always_inline]] ORTHOBALL_AVX2 inline Four turned1(Four a) {
   return __builtin_shufflevector(a, a, 1, 0, 3, 2);
 }
 /// Lane i has what lane i ^ 2 had.
-ORTHOBALL_AVX2 [[gnu::always_inline]] inline Four turned2(Four a) {
+[[gnu::always_inline]] ORTHOBALL_AVX2 inline Four turned2(Four a) {
   return __builtin_shufflevector(a, a, 2, 3, 0, 1);
 }
 
@@ -49,7 +49,7 @@ struct Columns {
   Four x, y, z, weight;
 };
 
-ORTHOBALL_AVX2 [[gnu::always_inline]] inline Columns columns(
+[[gnu::always_inline]] ORTHOBALL_AVX2 inline Columns columns(
     const Sites<3>& sites, const std::array<std::uint32_t, 4>& corners, Four origin) {
   const Four a = loaded(sites[corners[0]]) - origin;
   const Four b = loaded(sites[corners[1]]) - origin;

@@ -81,14 +81,14 @@ class PowerSidesAcross<3> {
     Four size;  // square sum and |weight|: at least |lift|
   };
 
-  ORTHOBALL_AVX2 [[gnu::always_inline]] Rows rows(const Corners<3>& corners) const {
+  [[gnu::always_inline]] ORTHOBALL_AVX2 Rows rows(const Corners<3>& corners) const {
     const auto [x, y, z, weight] = four_lanes::columns(sites_, corners, query_);
     const Four square = x * x + y * y + z * z;
     return {x, y, z, square - weight, square + (four_lanes::absolute(weight) + weight_lift_)};
   }
 
   // What is known where determinants of integers have no error at all.
-  ORTHOBALL_AVX2 [[gnu::noinline]] GlancedSides with_integers(std::uint32_t positive,
+  [[gnu::noinline]] ORTHOBALL_AVX2 GlancedSides with_integers(std::uint32_t positive,
                                                               std::uint32_t known, Four value,
                                                               Four magnitude) const {
     using namespace four_lanes;
@@ -142,14 +142,14 @@ class PowerSidesAcross<2> {
   };
 
   // The facet of lane i has the corners i + 1 and i + 2, of three.
-  ORTHOBALL_AVX2 [[gnu::always_inline]] static Four after(Four a) {
+  [[gnu::always_inline]] ORTHOBALL_AVX2 static Four after(Four a) {
     return __builtin_shufflevector(a, a, 1, 2, 0, 0);
   }
-  ORTHOBALL_AVX2 [[gnu::always_inline]] static Four before(Four a) {
+  [[gnu::always_inline]] ORTHOBALL_AVX2 static Four before(Four a) {
     return __builtin_shufflevector(a, a, 2, 0, 1, 1);
   }
 
-  ORTHOBALL_AVX2 [[gnu::always_inline]] Rows rows(const Corners<2>& corners) const {
+  [[gnu::always_inline]] ORTHOBALL_AVX2 Rows rows(const Corners<2>& corners) const {
     using namespace four_lanes;
     const Site<2>& a = sites_[corners[0]];
     const Site<2>& b = sites_[corners[1]];
@@ -161,7 +161,7 @@ class PowerSidesAcross<2> {
     return {x, y, square - weight, square + absolute(weight) + all(weight_lift_)};
   }
 
-  ORTHOBALL_AVX2 [[gnu::noinline]] GlancedSides with_integers(std::uint32_t positive,
+  [[gnu::noinline]] ORTHOBALL_AVX2 GlancedSides with_integers(std::uint32_t positive,
                                                               std::uint32_t known, Four value,
                                                               Four magnitude) const {
     using namespace four_lanes;

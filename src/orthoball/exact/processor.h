@@ -3,7 +3,7 @@
 
 // ORTHOBALL_WIDE_CODE: whether functions are compiled for wider vectors than every processor of the
 // architecture has; ORTHOBALL_AVX2, ORTHOBALL_AVX2_FMA, ORTHOBALL_AVX512: in front of such a
-// function. Such code is
+// function, but behind its attributes in brackets, or clang takes it for an error. Such code is
 // called only if the function of the same name below says so, and gives the same results as the
 // plain code that is called otherwise. The CMake option ORTHOBALL_VECTORS=OFF leaves it out.
 #if defined(ORTHOBALL_VECTORS) && defined(__x86_64__) && defined(__GNUC__)

@@ -127,7 +127,7 @@ class ConflictSearch {
       return search.settled(record, site, fates, open, ties);
     }
   };
-  ORTHOBALL_AVX2 [[gnu::flatten]] bool spread_wide(std::uint32_t site,
+  [[gnu::flatten]] ORTHOBALL_AVX2 bool spread_wide(std::uint32_t site,
                                                    const Territory<D>& territory) {
     if constexpr (A == D) {
       return spread(site, territory, WideGlance{*this, {sites_, site}});
@@ -163,7 +163,8 @@ class ConflictSearch {
       Cell record = cells[dead[next]];
       record.neighbours[0] &= ~CellStore<A>::kDead;
       const View view = view_from(cells, record);
-      const auto [dying, staying] = glance(record, view, site);
+      const Fates fates = glance(record, view, site);
+      const std::uint32_t dying = fates.dying, staying = fates.staying;
       if (!is_whole && !owns(territory, view.apexes, dying)) [[unlikely]] {
         dead_count_ = dead_count;
         return false;

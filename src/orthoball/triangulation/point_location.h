@@ -83,7 +83,7 @@ class PointLocation {
   }
 
 #ifdef ORTHOBALL_WIDE_CODE
-  ORTHOBALL_AVX2 [[nodiscard]] Place walk_wide(std::uint32_t site, std::uint32_t start,
+  [[nodiscard]] ORTHOBALL_AVX2 Place walk_wide(std::uint32_t site, std::uint32_t start,
                                                const Territory<D>& territory) const {
     if constexpr (A == 3) {
       return walk(site, start, territory,
