@@ -85,28 +85,6 @@ void in_batches(std::span<const std::uint32_t> simplices, const Approach& approa
   }
 }
 
-// The steps of in_batches to the sites of a face, where owners[face] is kPlaces * cell + a place.
-template <int D, std::uint32_t kPlaces>
-class FaceApproach {
- public:
-  FaceApproach(const Filtration<D>& filtration, std::span<const std::uint32_t> owners)
-      : cells_(filtration.triangulation().template cells<D>()),
-        sites_(filtration.triangulation().sites().span()),
-        owners_(owners) {}
-
-  [[gnu::always_inline]] void operator()(std::uint32_t face, unsigned step) const {
-    if (cells_.empty()) return;
-    const CellRecord<D>& record = cells_[owners_[face] / kPlaces];
-    if (step == 0) return __builtin_prefetch(&record);
-    for (const std::uint32_t corner : record.corners) __builtin_prefetch(&sites_[corner]);
-  }
-
- private:
-  std::span<const CellRecord<D>> cells_;
-  std::span<const Site<D>> sites_;
-  std::span<const std::uint32_t> owners_;
-};
-
 // `term`, or 0 if it is too large; then `count` grows by `step`.
 double unless_large(double term, std::int8_t& count, int step) {
   if (std::abs(term) <= Contributions<3>::kLargestTerm) return term;
@@ -231,7 +209,7 @@ void Contributions<D>::measure(std::span<const std::uint32_t> facets, std::span<
   Batch<D, kCorners<D> - 1> batch{};
   FacetRows rows;
   in_batches(
-      facets, FaceApproach<D, 4>(*filtration_, filtration_->table().facet_owners()),
+      facets, [](std::uint32_t, unsigned) {},
       [&](std::uint32_t facet, std::size_t lane) {
         vertices[lane] = face_vertices<kCorners<D> - 1>(*filtration_, SimplexId(first + facet));
       },
@@ -258,7 +236,7 @@ void Contributions<D>::measure(std::span<const std::uint32_t> edges, std::span<E
     Batch<D, 2> batch{};
     Row lengths;
     in_batches(
-        edges, FaceApproach<D, 6>(*filtration_, filtration_->table().edge_owners()),
+        edges, [](std::uint32_t, unsigned) {},
         [&](std::uint32_t edge, std::size_t lane) {
           vertices[lane] = face_vertices<2>(*filtration_, SimplexId(first + edge));
         },

@@ -28,7 +28,7 @@ constexpr std::array<std::size_t, 3> kTermBytes{TermBins<1>::kBytes, TermBins<2>
                                                 TermBins<6>::kBytes};
 
 // Terms that may wait at the same time, as a part of all, and what is little anyway.
-constexpr std::size_t kWindowParts = 4;
+constexpr std::size_t kWindowParts = 6;
 constexpr std::size_t kSmallWindowBytes = std::size_t{1} << 20U;
 
 // Cells at a time: what they, their facets and edges are made of stays in the nearest caches.

@@ -28,8 +28,8 @@ namespace orthoball {
 /// hull to 1e-12 relative. A facet's area enters and leaves as the same double: the areas are 0
 /// exactly where no facet has the role.
 ///
-/// Linear time. Terms wait in windows of indices, a quarter of all at a time or less: 140 bytes a
-/// site in space.
+/// Linear time. Terms wait in windows of indices, a sixth of all at a time: 90 bytes a site in
+/// space.
 template <int D>
 class MeasureScan {
  public:

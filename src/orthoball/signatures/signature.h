@@ -35,7 +35,8 @@ struct Signature {
 };
 
 /// Calls `visit` with the signature of every index 1..s in order (index 0, the empty complex, is
-/// not visited), from the caller's thread. O(n) time; at most 250 bytes of extra memory a site.
+/// not visited), from the caller's thread. O(n) time; about 180 bytes of extra memory a site
+/// in space. Small works stay on one thread.
 template <int D>
 void scan_signatures(const Filtration<D>& filtration,
                      const std::function<void(const Signature<D>&)>& visit, Threads threads = {});
