@@ -25,13 +25,13 @@ void load_from(std::size_t first, const Sites<D>& sites,
 
 using Four = double __attribute__((vector_size(32)));
 
-ORTHOBALL_AVX2 [[gnu::always_inline]] inline Four loaded(const Site<3>& site) {
+[[gnu::always_inline]] ORTHOBALL_AVX2 inline Four loaded(const Site<3>& site) {
   Four four;
   static_assert(sizeof four == sizeof site);
   __builtin_memcpy(&four, &site, sizeof four);
   return four;
 }
-ORTHOBALL_AVX2 [[gnu::always_inline]] inline void store(double* numbers, const Four& four) {
+[[gnu::always_inline]] ORTHOBALL_AVX2 inline void store(double* numbers, const Four& four) {
   __builtin_memcpy(numbers, &four, sizeof four);
 }
 

@@ -10,8 +10,12 @@
 #define ORTHOBALL_WIDE_CODE
 #define ORTHOBALL_AVX2 __attribute__((target("avx2")))
 #define ORTHOBALL_AVX2_FMA __attribute__((target("avx2,fma")))
+#ifdef __clang__
+#define ORTHOBALL_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl,fma")))
+#else  // which takes narrower vectors unless asked
 #define ORTHOBALL_AVX512 \
   __attribute__((target("avx512f,avx512dq,avx512vl,fma,prefer-vector-width=512")))
+#endif
 #else
 #define ORTHOBALL_AVX2
 #define ORTHOBALL_AVX2_FMA

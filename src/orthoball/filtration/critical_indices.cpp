@@ -19,7 +19,6 @@
 #include "orthoball/exact/processor.h"
 #include "orthoball/exact/unrolled.h"
 #include "orthoball/filtration/affine_dimension.h"
-#include "orthoball/filtration/edge_names.h"
 #include "orthoball/filtration/edge_ring.h"
 
 #ifdef ORTHOBALL_WIDE_CODE
@@ -38,7 +37,8 @@ struct Late {
 // Cells with the facets, edges and vertices that belong to them: of edges and facets those that the
 // cells own, of vertices those from the first corner of the first cell up to that of the next part.
 struct Part {
-  CellRange cells;
+  std::uint32_t begin;  // of its cells
+  std::uint32_t end;
   std::uint32_t next_facet;
   std::uint32_t first_edge;
   std::uint32_t end_edge;
@@ -90,7 +90,7 @@ class HandDown {
     for (std::size_t i = 0; i < parts; ++i) {
       const auto begin = static_cast<std::uint32_t>(cells_.size() * i / parts);
       const auto end = static_cast<std::uint32_t>(cells_.size() * (i + 1) / parts);
-      Part part{{begin, end}, table_.first(A - 1), 0, 0, never_vertex(end), {}};
+      Part part{begin, end, table_.first(A - 1), 0, 0, never_vertex(end), {}};
       if constexpr (A > 1) part.next_facet += table_.facets_owned_before(begin);
       if constexpr (A == 3) {
         part.first_edge = table_.first(1) + table_.edges_owned_before(begin);
@@ -141,7 +141,7 @@ class HandDown {
       if (has_avx2()) return pass_cells_in_lanes(part);
     }
 #endif
-    for (std::uint32_t cell = part.cells.begin; cell < part.cells.end; ++cell) {
+    for (std::uint32_t cell = part.begin; cell < part.end; ++cell) {
       const FacetIndices facets = pass_facets(part, cell);
       pass_cell(part, cell, facets);
     }
@@ -150,7 +150,7 @@ class HandDown {
 #ifdef ORTHOBALL_WIDE_CODE
   // The same where the processor has the vectors: all six edges of a cell at once.
   ORTHOBALL_AVX2 void pass_cells_in_lanes(Part& part) {
-    for (std::uint32_t cell = part.cells.begin; cell < part.cells.end; ++cell) {
+    for (std::uint32_t cell = part.begin; cell < part.end; ++cell) {
       fetch_beyond(cell + kAhead);
       const FacetIndices facets = pass_facets(part, cell);
       const std::uint32_t index = enters_of_cell(cell);
@@ -193,7 +193,7 @@ class HandDown {
     }
   }
   // learn() for two different faces.
-  ORTHOBALL_AVX2 [[gnu::always_inline]] static inline void learn_of_two(RoleIndices& a,
+  [[gnu::always_inline]] ORTHOBALL_AVX2 static inline void learn_of_two(RoleIndices& a,
                                                                         RoleIndices& b,
                                                                         __m128i roles) {
     const __m128i known = _mm_castpd_si128(_mm_loadh_pd(

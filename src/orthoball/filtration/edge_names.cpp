@@ -29,7 +29,7 @@ constexpr std::uint32_t kNameless = 0xFFFFFFFFU;
 
 std::uint32_t name_edges_one_by_one(std::span<const CellRecord<3>> cells, CellRange range,
                                     std::array<std::uint32_t, 6>* of_cells, EdgeNames& names) {
-  std::uint32_t next = 6 * range.begin;
+  std::uint32_t next = range.first_name;
   for (std::uint32_t cell = range.begin; cell < range.end; ++cell) {
     const unsigned descends_here = descends(cells[cell]);
     std::array<std::uint32_t, 6> edges;
@@ -97,28 +97,28 @@ constexpr std::array<std::array<NewNames, 64>, 2> kNewNames = [] {
   return all;
 }();
 
-ORTHOBALL_AVX2 [[gnu::always_inline]] inline __m256i loaded(const std::uint32_t* numbers) {
+[[gnu::always_inline]] ORTHOBALL_AVX2 inline __m256i loaded(const std::uint32_t* numbers) {
   return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers));
 }
-ORTHOBALL_AVX2 [[gnu::always_inline]] inline void store(std::uint32_t* numbers, __m256i lanes) {
+[[gnu::always_inline]] ORTHOBALL_AVX2 inline void store(std::uint32_t* numbers, __m256i lanes) {
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(numbers), lanes);
 }
 // The six of a cell, and two lanes of ones.
-ORTHOBALL_AVX2 [[gnu::always_inline]] inline __m256i loaded_names(
+[[gnu::always_inline]] ORTHOBALL_AVX2 inline __m256i loaded_names(
     const std::array<std::uint32_t, 6>& names) {
   const auto* const numbers = reinterpret_cast<const __m128i*>(names.data());
   const __m256i six = _mm256_inserti128_si256(_mm256_castsi128_si256(_mm_loadu_si128(numbers)),
                                               _mm_loadl_epi64(numbers + 1), 1);
   return _mm256_or_si256(six, _mm256_setr_epi32(0, 0, 0, 0, 0, 0, -1, -1));
 }
-ORTHOBALL_AVX2 [[gnu::always_inline]] inline void store_names(std::array<std::uint32_t, 6>& names,
+[[gnu::always_inline]] ORTHOBALL_AVX2 inline void store_names(std::array<std::uint32_t, 6>& names,
                                                               __m256i lanes) {
   auto* const numbers = reinterpret_cast<__m128i*>(names.data());
   _mm_storeu_si128(numbers, _mm256_castsi256_si128(lanes));
   _mm_storel_epi64(numbers + 1, _mm256_extracti128_si256(lanes, 1));
 }
 // The set of lanes that are all ones.
-ORTHOBALL_AVX2 [[gnu::always_inline]] inline std::uint32_t set_of(__m256i lanes) {
+[[gnu::always_inline]] ORTHOBALL_AVX2 inline std::uint32_t set_of(__m256i lanes) {
   return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(lanes)));
 }
 
@@ -128,7 +128,7 @@ struct KnownNames {
   __m256i greatest;  // one more than that; 0 where there is none
 };
 
-ORTHOBALL_AVX2 [[gnu::always_inline]] inline KnownNames known_names(
+[[gnu::always_inline]] ORTHOBALL_AVX2 inline KnownNames known_names(
     std::span<const CellRecord<3>> cells, std::uint32_t first, std::uint32_t cell,
     const std::array<std::uint32_t, 6>* of_cells) {
   const __m256i ones = _mm256_set1_epi32(-1);
@@ -157,7 +157,7 @@ ORTHOBALL_AVX2 std::uint32_t name_edges_in_lanes(std::span<const CellRecord<3>> 
                                                  EdgeNames& names) {
   const __m256i ones = _mm256_set1_epi32(-1);
   const __m256i ascending = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
-  std::uint32_t next = 6 * range.begin;
+  std::uint32_t next = range.first_name;
   for (std::uint32_t cell = range.begin; cell < range.end; ++cell) {
     store_names(of_cells[cell], ones);
     const KnownNames known = known_names(cells, range.begin, cell, of_cells);

@@ -16,21 +16,28 @@ namespace orthoball {
 struct CellRange {
   std::uint32_t begin;
   std::uint32_t end;
+  std::uint32_t first_name;
 };
 
-/// Names that edges get before they have numbers: 6 * (first cell of a range) and on for the edges
-/// of that range, so names ascend with the cells and slots that gave them. An edge may have several
-/// names; these are united with smaller ones, and the smallest of all, the root, is that of the
-/// smallest cell around the edge.
+/// Names that edges get before they have numbers. Those of a range of cells ascend with the cells
+/// and slots that gave them, from the range's first name on. An edge may have several names; these
+/// are united with smaller ones, and the smallest of all, the root, is that of the smallest cell
+/// around the edge.
 ///
 /// Memory that no name has reached is not touched.
 class EdgeNames {
  public:
-  explicit EdgeNames(std::size_t cells)
-      : parents_(std::make_unique_for_overwrite<std::uint32_t[]>(6 * cells + kSpare)) {}
+  /// For some cells in some ranges.
+  EdgeNames(std::size_t cells, std::size_t ranges)
+      : parents_(std::make_unique_for_overwrite<std::uint32_t[]>(6 * cells + kSpare * ranges)) {}
 
-  /// [name]: a smaller one that it is united with, or itself. Eight more may be written beyond the
-  /// names that cells need.
+  /// Where the names of a range begin: behind six for every cell before, and a few to spare for
+  /// every range before, which it may write to.
+  [[nodiscard]] static std::uint32_t first_name(std::uint32_t begin, std::size_t range) {
+    return 6 * begin + static_cast<std::uint32_t>(kSpare * range);
+  }
+
+  /// [name]: a smaller one that it is united with, or itself.
   [[nodiscard]] std::uint32_t* parents() { return parents_.get(); }
   [[nodiscard]] std::uint32_t& operator[](std::uint32_t name) { return parents_[name]; }
   [[nodiscard]] std::uint32_t operator[](std::uint32_t name) const { return parents_[name]; }

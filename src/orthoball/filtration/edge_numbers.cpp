@@ -24,7 +24,7 @@ namespace {
 class Numbering {
  public:
   Numbering(std::span<const CellRecord<3>> cells, std::size_t ranges, Threads threads)
-      : cells_(cells), threads_(threads), ranges_(ranges), names_(cells.size()) {
+      : cells_(cells), threads_(threads), ranges_(ranges), names_(cells.size(), ranges) {
     result_.of_cells.resize(cells.size());
   }
 
@@ -41,9 +41,8 @@ class Numbering {
   struct Range {
     CellRange cells;
     std::uint32_t end_name;
-    std::uint32_t first_number;  // of the edges that it owns; before, how many these are
-    std::uint32_t end_number;
-    std::uint32_t first_crossing;              // what stands for the first of its crossings
+    std::uint32_t first_number;    // of the edges that it owns; before, how many these are
+    std::uint32_t first_crossing;  // what stands for the first of its crossings
     std::vector<std::uint32_t> facets_across;  // 4 * cell + corner, to ranges before
     std::vector<std::uint32_t> crossings;      // names whose parents are of ranges before
   };
@@ -75,7 +74,8 @@ void Numbering::name_all() {
       threads_, cells_.size(), ranges_.size(),
       [&](std::size_t i, std::size_t begin, std::size_t end) {
         Range& range = ranges_[i];
-        range.cells = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+        const auto first = static_cast<std::uint32_t>(begin);
+        range.cells = {first, static_cast<std::uint32_t>(end), EdgeNames::first_name(first, i)};
         range.end_name = name_edges(cells_, range.cells, result_.of_cells.data(), names_);
         if (begin > 0) collect_facets_across(range);
       });
@@ -112,7 +112,6 @@ void Numbering::number_all() {
   std::uint32_t crossings = 0;
   for (Range& range : ranges_) {
     edges += std::exchange(range.first_number, edges);
-    range.end_number = edges;
     crossings += static_cast<std::uint32_t>(range.crossings.size());
   }
   first_crossing_ -= crossings;
@@ -131,7 +130,7 @@ void Numbering::number_all() {
 
 // The roots, and the names below others of ranges before.
 void Numbering::count(Range& range) const {
-  const std::uint32_t first = 6 * range.cells.begin;
+  const std::uint32_t first = range.cells.first_name;
   range.first_number = 0;
   for (std::uint32_t name = first; name < range.end_name; ++name) {
     range.first_number += names_[name] == name ? 1U : 0U;
@@ -140,7 +139,7 @@ void Numbering::count(Range& range) const {
 }
 
 void Numbering::number(const Range& range) {
-  const std::uint32_t first = 6 * range.cells.begin;
+  const std::uint32_t first = range.cells.first_name;
   std::uint32_t next = range.first_number;
   std::uint32_t next_crossing = range.first_crossing;
   for (std::uint32_t name = first; name < range.end_name; ++name) {

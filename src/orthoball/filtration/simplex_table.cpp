@@ -5,6 +5,7 @@
 #include "orthoball/filtration/simplex_table.h"
 
 #include <algorithm>
+#include <atomic>
 #include <string>
 #include <utility>
 
@@ -127,9 +128,22 @@ void SimplexTable<D>::add_edges(std::span<const CellRecord<3>> cells, EdgesOfCel
   EdgeNumbers edges = edge_numbers(cells, threads);
   edges_of_cells = std::move(edges.of_cells);
   edge_owners_ = std::move(edges.owners);
-  owned_edges_ = RankedBits(6 * cells.size());
-  for (const std::uint32_t owner : edge_owners_) owned_edges_.add(owner);
-  owned_edges_.count_all();
+  // Owners ascend, so each word of bits is written at once, or twice where two parts share it.
+  constexpr std::size_t kLeastEdges = std::size_t{1} << 16U;
+  std::vector<std::uint64_t> owned(6 * cells.size() / 64 + 1, 0);
+  const std::size_t parts = edge_owners_.size() / kLeastEdges + 1;
+  parallel_parts(threads, edge_owners_.size(), parts,
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   for (std::size_t edge = begin; edge < end;) {
+                     const std::uint32_t word = edge_owners_[edge] / 64;
+                     std::uint64_t bits = 0;
+                     for (; edge < end && edge_owners_[edge] / 64 == word; ++edge) {
+                       bits |= std::uint64_t{1} << edge_owners_[edge] % 64;
+                     }
+                     std::atomic_ref(owned[word]).fetch_or(bits, std::memory_order_relaxed);
+                   }
+                 });
+  owned_edges_ = RankedBits(std::move(owned));
 }
 
 template <int D>

@@ -22,15 +22,15 @@ TEST(EdgeNames, AreUnitedInLanesAsOneByOne) {
     const auto triangulation = regular_triangulation<3>(one.points());
     const auto cells = triangulation.cells<3>();
     const auto size = static_cast<std::uint32_t>(cells.size());
-    for (const CellRange range : {CellRange{0, size}, CellRange{size / 3, size}}) {
+    for (const CellRange range : {CellRange{0, size, 0}, CellRange{size / 3, size, 5}}) {
       Names plain(size), wide(size);
-      EdgeNames plain_names(size), wide_names(size);
+      EdgeNames plain_names(size, 1), wide_names(size, 1);
       const std::uint32_t end =
           edge_names_stages::name_edges_one_by_one(cells, range, plain.data(), plain_names);
       ASSERT_EQ(edge_names_stages::name_edges_in_lanes(cells, range, wide.data(), wide_names), end)
           << one;
       ASSERT_EQ(wide, plain) << one;
-      for (std::uint32_t name = 6 * range.begin; name < end; ++name) {
+      for (std::uint32_t name = range.first_name; name < end; ++name) {
         ASSERT_EQ(wide_names.root_now(name), plain_names.root_now(name)) << one;
       }
     }
@@ -38,7 +38,7 @@ TEST(EdgeNames, AreUnitedInLanesAsOneByOne) {
 }
 
 TEST(EdgeNames, AreUnitedToTheirLeast) {
-  EdgeNames names(2);
+  EdgeNames names(2, 1);
   for (std::uint32_t name = 0; name < 12; ++name) names[name] = name;
   names.unite(7, 3);
   names.unite(5, 7);
