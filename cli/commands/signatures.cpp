@@ -122,8 +122,9 @@ void write_plot(const SignaturesOptions& options, const Loaded& input,
     if (notable.index) plot.marks.push_back({notable.name, *notable.index, notable.alpha2});
   }
   orthoball::SignaturePlot<D> picture(filtration, std::move(plot));
-  orthoball::scan_signatures<D>(filtration,
-                                [&](const orthoball::Signature<D>& s) { picture.add(s); });
+  orthoball::scan_signatures<D>(
+      filtration, [&](const orthoball::Signature<D>& s) { picture.add(s); },
+      threads_of(options.input));
   write_output(options.plot, "0", [&](orthoball::ByteSink& sink) { picture.write(sink); });
 }
 
@@ -143,14 +144,18 @@ void write_table(const SignaturesOptions& options, const Loaded& input, Progress
       write_output(options.output, format == "json" ? "null" : "", [&](orthoball::ByteSink& sink) {
         Table<D> table(sink, format);
         if (is_complete) {
-          orthoball::scan_signatures<D>(filtration, [&](const orthoball::Signature<D>& s) {
-            table.add({s, orthoball::alpha_from_alpha2(s.alpha2)});
-            progress.reach(s.index, filtration.spectrum_size());
-          });
+          orthoball::scan_signatures<D>(
+              filtration,
+              [&](const orthoball::Signature<D>& s) {
+                table.add({s, orthoball::alpha_from_alpha2(s.alpha2)});
+                progress.reach(s.index, filtration.spectrum_size());
+              },
+              threads_of(options.input));
         } else {
           std::vector<std::uint32_t> indices;
           for (const ChosenAlpha& alpha : asked) indices.push_back(alpha.index);
-          auto signatures = orthoball::signatures<D>(filtration, indices);
+          auto signatures =
+              orthoball::signatures<D>(filtration, indices, threads_of(options.input));
           for (std::size_t i = 0; i < asked.size(); ++i) {
             signatures[i].alpha2 = asked[i].alpha2;
             table.add({signatures[i], asked[i].alpha});

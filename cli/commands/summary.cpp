@@ -41,7 +41,8 @@ struct Facts {
 };
 
 template <int D>
-Facts<D> facts(const orthoball::Filtration<D>& filtration, std::vector<ChosenAlpha> asked) {
+Facts<D> facts(const orthoball::Filtration<D>& filtration, std::vector<ChosenAlpha> asked,
+               orthoball::Threads threads) {
   Facts<D> facts;
   for (int d = 0; d <= D; ++d) {
     const std::uint32_t first = filtration.table().first(d);
@@ -54,7 +55,7 @@ Facts<D> facts(const orthoball::Filtration<D>& filtration, std::vector<ChosenAlp
   }
   std::vector<std::uint32_t> indices{filtration.spectrum_size()};
   for (const ChosenAlpha& alpha : asked) indices.push_back(alpha.index);
-  facts.at = orthoball::signatures<D>(filtration, indices);
+  facts.at = orthoball::signatures<D>(filtration, indices, threads);
   facts.hull = facts.at.front();
   facts.at.erase(facts.at.begin());
   for (std::size_t i = 0; i < asked.size(); ++i) facts.at[i].alpha2 = asked[i].alpha2;
@@ -263,7 +264,7 @@ void run(const SummaryOptions& options) {
                        "the signatures");
         std::vector<ChosenAlpha> asked = chosen_alphas(options.alpha, input);
         say_how(options.input, asked);
-        const Facts<D> known = facts(filtration, std::move(asked));
+        const Facts<D> known = facts(filtration, std::move(asked), threads_of(options.input));
         if (!is_json) return text_report(input, filtration, known);
         return json_report_text(json_report(input, filtration, known, missing));
       },
