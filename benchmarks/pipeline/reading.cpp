@@ -149,7 +149,7 @@ int main(int argc, char** argv) {
                      .string();
   if (argc <= 3 || !std::filesystem::exists(path)) write_file(writer, count, path);
 
-  const double before = benchmarks::peak_megabytes();
+  const double before = benchmarks::status_megabytes("VmHWM");
   double best = 1e300;
   for (int run = 0; run < 5; ++run) {
     const benchmarks::Stopwatch watch;
@@ -161,6 +161,6 @@ int main(int argc, char** argv) {
   fmt::print(
       "{{\"format\": \"{}\", \"megabytes\": {:.1f}, \"seconds\": {:.3f}, \"megabytes_a_second\": "
       "{:.0f}, \"peak_mb\": {:.0f}, \"peak_before_mb\": {:.0f}}}\n",
-      argv[1], megabytes, best, megabytes / best, benchmarks::peak_megabytes(), before);
+      argv[1], megabytes, best, megabytes / best, benchmarks::status_megabytes("VmHWM"), before);
   if (argc <= 3) std::filesystem::remove(path);
 }
