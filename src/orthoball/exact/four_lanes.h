@@ -14,7 +14,9 @@
 /// Vectors of four doubles, for functions marked ORTHOBALL_AVX2.
 namespace orthoball::four_lanes {
 
+/// Four doubles.
 using Four = double __attribute__((vector_size(32)));
+/// What comparisons of them give: all bits of a lane or none.
 using FourBits = std::int64_t __attribute__((vector_size(32)));
 
 /// The coordinates and the weight.
@@ -49,6 +51,7 @@ struct Columns {
   Four x, y, z, weight;
 };
 
+/// The columns of these sites with the origin moved.
 [[gnu::always_inline]] ORTHOBALL_AVX2 inline Columns columns(
     const Sites<3>& sites, const std::array<std::uint32_t, 4>& corners, Four origin) {
   const Four a = loaded(sites[corners[0]]) - origin;

@@ -10,7 +10,7 @@
 #include "orthoball/ids.h"
 #include "orthoball/parallel.h"
 #include "orthoball/points/weighted_points.h"
-#include "orthoball/uninitialized.h"
+#include "orthoball/raw_vector.h"
 
 namespace orthoball {
 
@@ -83,8 +83,8 @@ class Sites {
  private:
   void end_far_away();
 
-  UninitializedVector<Site<D>> sites_;  // and one more, see operator[]; empty without sites
-  std::vector<ExactSite<D>> exact_;     // empty where sites_ are exact
+  RawVector<Site<D>> sites_;         // and one more, see operator[]; empty without sites
+  std::vector<ExactSite<D>> exact_;  // empty where sites_ are exact
   std::vector<SiteId> rows_;
   double weight_error_ = 0.0;
   int scale_exponent_ = 0;

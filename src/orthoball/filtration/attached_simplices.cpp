@@ -15,7 +15,7 @@
 #include "orthoball/filtration/affine_dimension.h"
 #include "orthoball/filtration/bit_run.h"
 #include "orthoball/filtration/edge_ring.h"
-#include "orthoball/filtration/raw_vector.h"
+#include "orthoball/raw_vector.h"
 
 namespace orthoball {
 namespace {

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <span>
 
-#include "orthoball/filtration/raw_vector.h"
 #include "orthoball/filtration/simplex_table.h"
 #include "orthoball/filtration/value_ranks.h"
 #include "orthoball/ids.h"
 #include "orthoball/parallel.h"
+#include "orthoball/raw_vector.h"
 #include "orthoball/triangulation/regular_triangulation.h"
 
 namespace orthoball {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <span>
 
-#include "orthoball/filtration/raw_vector.h"
 #include "orthoball/parallel.h"
+#include "orthoball/raw_vector.h"
 #include "orthoball/triangulation/regular_triangulation.h"
 
 namespace orthoball {

@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "orthoball/filtration/raw_vector.h"
+#include "orthoball/raw_vector.h"
 
 namespace orthoball {
 namespace {

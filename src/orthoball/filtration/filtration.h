@@ -10,10 +10,10 @@
 
 #include "orthoball/filtration/bit_run.h"
 #include "orthoball/filtration/critical_indices.h"
-#include "orthoball/filtration/raw_vector.h"
 #include "orthoball/filtration/simplex_table.h"
 #include "orthoball/ids.h"
 #include "orthoball/parallel.h"
+#include "orthoball/raw_vector.h"
 #include "orthoball/triangulation/regular_triangulation.h"
 
 namespace orthoball {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "orthoball/filtration/ranked_bits.h"
-#include "orthoball/filtration/raw_vector.h"
 #include "orthoball/filtration/simplex_table.h"
 #include "orthoball/ids.h"
 #include "orthoball/parallel.h"
+#include "orthoball/raw_vector.h"
 #include "orthoball/triangulation/regular_triangulation.h"
 
 namespace orthoball {

@@ -15,7 +15,7 @@
 #include <span>
 #include <utility>
 
-#include "orthoball/uninitialized.h"
+#include "orthoball/raw_vector.h"
 
 namespace orthoball {
 namespace {
@@ -259,8 +259,8 @@ class CanonicalOrder {
   bool is_oriented_;
   Threads threads_;
   std::vector<std::uint32_t> begins_;  // [vertex] where the cells begin of which it is the smallest
-  UninitializedVector<std::uint32_t> place_;  // [cell] where it goes
-  UninitializedVector<CornerMap> maps_;       // [cell]
+  RawVector<std::uint32_t> place_;     // [cell] where it goes
+  RawVector<CornerMap> maps_;          // [cell]
 };
 
 }  // namespace

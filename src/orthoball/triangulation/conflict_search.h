@@ -25,8 +25,8 @@ using Words = std::uint32_t __attribute__((vector_size(16)));
 /// a line, where that is for whoever makes cells to see to.
 template <int A>
 struct alignas(A == 3 ? 16 : 4) BoundaryFacet {
-  std::array<std::uint32_t, std::size_t{A}> vertices;
-  std::uint32_t outside;  ///< 4 * cell + corner of the cell that stays
+  std::array<std::uint32_t, std::size_t{A}> vertices;  ///< by number
+  std::uint32_t outside;                               ///< 4 * cell + corner of the cell that stays
 };
 
 /// (i, kFacetCorners<A>[i]...) is an even permutation of the corners of a cell.

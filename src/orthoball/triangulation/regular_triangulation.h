@@ -11,7 +11,7 @@
 #include "orthoball/exact/sites.h"
 #include "orthoball/ids.h"
 #include "orthoball/points/weighted_points.h"
-#include "orthoball/uninitialized.h"
+#include "orthoball/raw_vector.h"
 
 namespace orthoball {
 
@@ -37,8 +37,9 @@ struct alignas(A == 3 ? 32 : 4) CellRecord {
   std::array<std::uint32_t, std::size_t{A + 1}> neighbours;  ///< 4 * cell + corner, or kOutside
 };
 
+/// [cell]: the cells of a triangulation.
 template <int A>
-using CellArray = UninitializedVector<CellRecord<A>>;
+using CellArray = RawVector<CellRecord<A>>;
 
 /// The regular (weighted Delaunay) triangulation of weighted points: Del B of the paper.
 ///

@@ -16,7 +16,7 @@ class RawAllocator : public std::allocator<T> {
   /// The same for another type.
   template <class U>
   struct rebind {
-    using other = RawAllocator<U>;
+    using other = RawAllocator<U>;  ///< as allocators name it
   };
 
   RawAllocator() = default;
