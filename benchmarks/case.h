@@ -63,7 +63,7 @@ inline double status_megabytes(const std::string& name) {
 }
 
 /// Measures a work from where it is made to where it is asked: seconds of the processor (of all
-/// threads; busy neighbours do not count) and of the clock, and memory.
+/// threads) and of the clock, and memory.
 class Meter {
  public:
   Meter() {

@@ -30,7 +30,7 @@ struct BuildOptions {
 /// Immutable; any number of threads may read it.
 class AlphaShapes {
  public:
-  /// Triangulates and orders. Memory at most 1 KB a site in space.
+  /// Triangulates and orders. Memory about 1.1 KB a site in space.
   /// @throws LimitError for more simplices than can be numbered; for more memory than there is, by
   ///         an estimate before the work and by a closer one once the cells are known.
   explicit AlphaShapes(WeightedPoints points, const BuildOptions& options = {});

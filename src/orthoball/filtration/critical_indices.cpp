@@ -196,13 +196,13 @@ class HandDown {
   [[gnu::always_inline]] ORTHOBALL_AVX2 static inline void learn_of_two(RoleIndices& a,
                                                                         RoleIndices& b,
                                                                         __m128i roles) {
-    const __m128i known = _mm_castpd_si128(_mm_loadh_pd(
-        _mm_load_sd(reinterpret_cast<const double*>(&a)), reinterpret_cast<const double*>(&b)));
+    const auto at = [](RoleIndices& face) { return reinterpret_cast<__m128i*>(&face); };
+    const __m128i known = _mm_unpacklo_epi64(_mm_loadl_epi64(at(a)), _mm_loadl_epi64(at(b)));
     const __m128i first = _mm_min_epu32(known, roles);
     const __m128i last = _mm_max_epu32(known, roles);
-    const __m128d both = _mm_castsi128_pd(_mm_blend_epi32(first, last, 0b1010));
-    _mm_store_sd(reinterpret_cast<double*>(&a), both);
-    _mm_storeh_pd(reinterpret_cast<double*>(&b), both);
+    const __m128i both = _mm_blend_epi32(first, last, 0b1010);
+    _mm_storel_epi64(at(a), both);
+    _mm_storel_epi64(at(b), _mm_unpackhi_epi64(both, both));
   }
 #endif
 

@@ -41,7 +41,7 @@ LabelPool::LabelPool(std::size_t numbers, std::size_t buckets, std::size_t lists
 void LabelList::begin_chunk(std::size_t bucket) {
   if (next_chunk_ % LabelPool::kTaken == 0) next_chunk_ = pool_->take();
   const std::uint32_t chunk = next_chunk_++;
-  const std::uint32_t end = ends_[bucket];
+  const std::size_t end = ends_[bucket];
   if (end == 0) {
     firsts_[bucket] = chunk;
   } else {

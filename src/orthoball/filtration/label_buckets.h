@@ -106,13 +106,13 @@ class LabelList {
     const std::uint64_t key = ordered_key(label);
     const std::size_t bucket = rule_->place(key) >> 16U;
     if (ends_[bucket] % kEnd == 0) begin_chunk(bucket);
-    const std::uint32_t end = ends_[bucket]++;
+    const std::size_t end = ends_[bucket]++;
     (*pool_)[end / kEnd].set(end % kEnd - kBegin, key, row);
   }
 
   /// How many numbers a bucket has.
   [[nodiscard]] std::size_t size(std::size_t bucket) const {
-    const std::uint32_t end = ends_[bucket];
+    const std::size_t end = ends_[bucket];
     return in_full_chunks_[bucket] + (end == 0 ? 0 : (end - 1) % kEnd + 1 - kBegin);
   }
   /// Calls `visit(chunk, size)` for the chunks of a bucket in the order in which they were filled.
@@ -129,14 +129,14 @@ class LabelList {
  private:
   // An end is kEnd * chunk + kBegin + the numbers in it: a multiple of kEnd where it is full, and 0
   // before the first.
-  static constexpr std::uint32_t kEnd = 512;
-  static constexpr std::uint32_t kBegin = kEnd - LabelPool::kChunk;
+  static constexpr std::size_t kEnd = 512;
+  static constexpr std::size_t kBegin = kEnd - LabelPool::kChunk;
 
   void begin_chunk(std::size_t bucket);
 
   const BucketRule* rule_;
   LabelPool* pool_;
-  std::vector<std::uint32_t> ends_;            // [bucket]
+  std::vector<std::size_t> ends_;              // [bucket]
   std::vector<std::uint32_t> firsts_;          // [bucket]: its first chunk
   std::vector<std::uint32_t> in_full_chunks_;  // [bucket]: numbers before the last chunk
   std::uint32_t next_chunk_ = 0;               // of those taken from the pool

@@ -75,8 +75,9 @@ class Ranking {
     starts_.resize(order_.size() / 64 + 1, 0);
     if (sites_.is_unweighted()) rank_vertices();
     const BucketRule rule(table_.size(), sample_of_labels());
-    LabelPool pool(order_.size(), rule.bucket_count(), kLists * threads_.count());
-    std::vector<LabelList> lists(kLists * threads_.count(), LabelList(rule, pool));
+    const std::size_t list_count = kLists * std::min<std::size_t>(threads_.count(), kMostParts);
+    LabelPool pool(order_.size(), rule.bucket_count(), list_count);
+    std::vector<LabelList> lists(list_count, LabelList(rule, pool));
     deal_labels(lists);
     std::vector<Group> groups = groups_of(lists, rule.bucket_count());
     parallel_for(threads_, groups.size(), [&](std::size_t i) { rank(lists, rule, groups[i]); });
@@ -87,6 +88,8 @@ class Ranking {
 
  private:
   static constexpr std::size_t kLists = std::size_t{A} + 1;  // of each part: one a dimension
+  // More parts would leave more of the last chunks of their lists empty than fill the others.
+  static constexpr std::size_t kMostParts = 12;
   static constexpr std::size_t kLeastPart = std::size_t{1} << 18U;
   using Rows = std::span<std::uint32_t>;
   using ConstRows = std::span<const std::uint32_t>;

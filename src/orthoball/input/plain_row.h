@@ -26,8 +26,7 @@ inline constexpr std::uint8_t kUnusedColumn = 255;
 /// @param slots    [column]: where in `numbers` its number goes, or kUnusedColumn.
 /// @param parse    `const char* parse(const char* at, const char* end, Number& number)`: reads the
 ///                 number at `at`, gives its end; null where there is none.
-/// @return behind the end of the row's line; null, with anything in `numbers`, for a row that is
-/// not
+/// @return the end of the row's line; null, with anything in `numbers`, for a row that is not
 ///         plain, not of these columns, or perhaps a comment.
 template <class Number, class Parse>
 const char* read_plain_row(const char* at, const char* end, const PlainRows& plain,

@@ -240,7 +240,7 @@ class CanonicalOrder {
     std::vector<CellRecord<A>> of_vertex;
     for (std::size_t vertex = begin; vertex < end; ++vertex) {
       const std::uint32_t first = begins_[vertex];
-      of_vertex.assign(&cells_[first], &cells_[first] + (begins_[vertex + 1] - first));
+      of_vertex.assign(cells_.data() + first, cells_.data() + begins_[vertex + 1]);
       for (std::uint32_t i = 0; i < of_vertex.size(); ++i) {
         CellRecord<A>& record = cells_[place_[first + i]];
         record.corners = of_vertex[i].corners;

@@ -64,10 +64,16 @@ class CellStore {
   [[nodiscard]] std::uint32_t add(std::uint32_t count) {
     const std::uint32_t first = size();
     if (count > kMostCells - first) {
-      throw LimitError("more than 2^29 cells in the triangulation; at most 75 million sites fit");
+      throw LimitError("more than 2^29 cells in the triangulation; about " +
+                       std::string(A == 3 ? "75" : "260") + " million sites fit");
     }
     cells_.resize(cells_.size() + count);
     return first;
+  }
+
+  /// How many more cells can be added.
+  [[nodiscard]] std::uint32_t most_more() const {
+    return static_cast<std::uint32_t>(kMostCells - cells_.size());
   }
 
   /// Makes two facets each other's other side.

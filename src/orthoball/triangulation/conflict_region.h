@@ -118,7 +118,7 @@ class ConflictRegion {
   /// `hidden` the site, if it is hidden, or else the vertices that no longer have a cell. Postponed
   /// if a cell outside the territory is in conflict, or there is no room for new cells and
   /// `may_grow` does not allow for more; then nothing has changed.
-  Outcome insert(std::uint32_t site, std::uint32_t found, const Territory<D>& territory,
+  Outcome insert(std::uint32_t site, std::uint32_t found, const Territory<A, D>& territory,
                  bool may_grow, std::vector<std::uint32_t>& hidden) {
     if (!in_conflict<A, D>(cells_, sites_, found, site)) {
       hidden.push_back(site);

@@ -54,7 +54,7 @@ class ConflictSearch {
 
   /// Kills the cells in conflict with `site`, found from `start`, which is one of them; false, and
   /// nothing is changed, if one of them is not in the territory.
-  bool find(std::uint32_t site, std::uint32_t start, const Territory<D>& territory) {
+  bool find(std::uint32_t site, std::uint32_t start, const Territory<A, D>& territory) {
     cells_.kill(start);
     dead_[0] = start;
     dead_count_ = 1;
@@ -128,7 +128,7 @@ class ConflictSearch {
     }
   };
   [[gnu::flatten]] ORTHOBALL_AVX2 bool spread_wide(std::uint32_t site,
-                                                   const Territory<D>& territory) {
+                                                   const Territory<A, D>& territory) {
     if constexpr (A == D) {
       return spread(site, territory, WideGlance{*this, {sites_, site}});
     } else {
@@ -136,7 +136,7 @@ class ConflictSearch {
     }
   }
 #else
-  bool spread_wide(std::uint32_t site, const Territory<D>& territory) {
+  bool spread_wide(std::uint32_t site, const Territory<A, D>& territory) {
     return spread(site, territory, PlainGlance{*this});
   }
 #endif
@@ -144,7 +144,7 @@ class ConflictSearch {
   // From every dead cell over its facets; false if a cell in conflict is not in the territory. What
   // the loop needs is at hand in local variables, which no store to a record can change.
   template <class Glance>
-  [[gnu::always_inline]] bool spread(std::uint32_t site, const Territory<D>& territory,
+  [[gnu::always_inline]] bool spread(std::uint32_t site, const Territory<A, D>& territory,
                                      const Glance& glance) {
     const bool is_whole = territory.is_whole();
     Cell* const cells = &cells_[0];
@@ -193,7 +193,7 @@ class ConflictSearch {
     return view;
   }
 
-  [[gnu::noinline]] static bool owns(const Territory<D>& territory, const Corners<A>& apexes,
+  [[gnu::noinline]] static bool owns(const Territory<A, D>& territory, const Corners<A>& apexes,
                                      std::uint32_t dying) {
     bool all = true;
     for (std::uint32_t i = 0; i <= A; ++i) {

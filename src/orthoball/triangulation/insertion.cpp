@@ -92,20 +92,20 @@ class Insertion {
   }
 
   // So many territories with equal numbers of the sites, by the numbers of the vertices.
-  std::vector<Territory<D>> parts_of_curve(Numbers sites, std::size_t count) const {
-    std::vector<Territory<D>> parts;
+  std::vector<Territory<A, D>> parts_of_curve(Numbers sites, std::size_t count) const {
+    std::vector<Territory<A, D>> parts;
     std::uint32_t begin = 0;
     for (std::size_t part = 1; part <= count; ++part) {
       const std::uint32_t end =
           part == count ? cells_.infinity() : sites[part * sites.size() / count];
-      parts.push_back(Territory<D>::of_numbers(begin, end, cells_.infinity()));
+      parts.push_back(Territory<A, D>::of_numbers(begin, end, cells_.infinity()));
       begin = end;
     }
     return parts;
   }
 
   // The same between planes across the axis along which the sites spread most.
-  std::vector<Territory<D>> slabs(Numbers sites, std::size_t count) const {
+  std::vector<Territory<A, D>> slabs(Numbers sites, std::size_t count) const {
     constexpr std::size_t kSample = 4096;
     std::vector<double> widest;
     double largest = -1.0;
@@ -123,11 +123,11 @@ class Insertion {
       widest = std::move(x);
     }
     constexpr double kFar = std::numeric_limits<double>::infinity();
-    std::vector<Territory<D>> parts;
+    std::vector<Territory<A, D>> parts;
     double low = -kFar;
     for (std::size_t part = 1; part <= count; ++part) {
       const double high = part == count ? kFar : widest[part * widest.size() / count];
-      parts.push_back(Territory<D>::of_slab(sites_, axis, low, high, cells_.infinity()));
+      parts.push_back(Territory<A, D>::of_slab(sites_, axis, low, high, cells_.infinity()));
       low = high;
     }
     return parts;
@@ -135,7 +135,7 @@ class Insertion {
 
   // Inserts what of `sites` lies within the territories. Returns what is left, ascending.
   std::vector<std::uint32_t> insert_together(Numbers sites,
-                                             const std::vector<Territory<D>>& territories) {
+                                             const std::vector<Territory<A, D>>& territories) {
     while (workers_.size() < territories.size()) add_worker();
     std::vector<std::vector<std::uint32_t>> shares(territories.size());
     std::vector<std::uint32_t> left;
@@ -172,17 +172,19 @@ class Insertion {
                               static_cast<double>(sites) +
                           256.0;
     const double lacking = wanted - static_cast<double>(worker.region.supply().size());
-    if (lacking > 0.0) worker.region.supply().add(static_cast<std::uint32_t>(lacking));
+    // What there is no room for is postponed to where it may grow.
+    const double possible = std::min(lacking, static_cast<double>(cells_.most_more()));
+    if (possible > 0.0) worker.region.supply().add(static_cast<std::uint32_t>(possible));
   }
 
   // For every kHintStride-th site a cell of the territory near by, kNoHint before the first that
   // has one. Their places will always have cells of the territory, or dead ones.
-  void find_hints(Worker& worker, Numbers sites, const Territory<D>& territory,
+  void find_hints(Worker& worker, Numbers sites, const Territory<A, D>& territory,
                   std::uint32_t start) const {
     worker.hints.clear();
     std::uint32_t cell = start, hint = kNoHint;
     for (std::size_t i = 0; i < sites.size(); i += kHintStride) {
-      cell = location_.locate(sites[i], cell, Territory<D>::whole()).cell;
+      cell = location_.locate(sites[i], cell, Territory<A, D>::whole()).cell;
       const auto& corners = cells_[cell].corners;
       const auto is_own = [&](std::uint32_t corner) { return territory.has(corner); };
       if (std::all_of(corners.begin(), corners.end(), is_own)) hint = cell;
@@ -192,7 +194,7 @@ class Insertion {
 
   // Inserts sites on one thread.
   void work_alone(Numbers sites) {
-    const Territory<D> whole = Territory<D>::whole();
+    const Territory<A, D> whole = Territory<A, D>::whole();
     Worker& worker = *workers_[0];
     for (const std::uint32_t site : sites) {
       if (is_in_basis(site)) continue;
@@ -201,7 +203,7 @@ class Insertion {
     inserted_ += sites.size();
   }
   // Inserts sites in a territory. A walk that leaves it is taken up once more from the hint.
-  void work(Worker& worker, Numbers sites, const Territory<D>& territory) const {
+  void work(Worker& worker, Numbers sites, const Territory<A, D>& territory) const {
     bool is_lost = true;  // the last walk left the territory
     for (std::size_t i = 0; i < sites.size(); ++i) {
       if (is_in_basis(sites[i])) continue;
@@ -226,20 +228,16 @@ class Insertion {
 
   // False if the site is postponed.
   bool insert_at(Worker& worker, std::uint32_t site, std::uint32_t cell,
-                 const Territory<D>& territory, bool may_grow) const {
+                 const Territory<A, D>& territory, bool may_grow) const {
     const Outcome outcome = worker.region.insert(site, cell, territory, may_grow, worker.hidden);
     worker.cell = outcome == Outcome::inserted ? worker.region.new_cell() : cell;
     return outcome != Outcome::postponed;
   }
 
-  // An own cell of a worker that is alive, or any.
+  // A cell that is alive. If the one where walks began is not, a worker has made others.
   [[nodiscard]] std::uint32_t any_cell() const {
-    for (const auto& worker : workers_) {
-      if (!cells_.is_dead(cells_[worker->cell])) return worker->cell;
-    }
-    std::uint32_t cell = 0;
-    while (cells_.is_dead(cells_[cell])) ++cell;
-    return cell;
+    const auto is_alive = [&](const auto& worker) { return !cells_.is_dead(cells_[worker->cell]); };
+    return (*std::find_if(workers_.begin(), workers_.end(), is_alive))->cell;
   }
 
   [[nodiscard]] bool is_in_basis(std::uint32_t site) const {

@@ -32,7 +32,7 @@ class PointLocation {
   };
   /// @param start  a finite cell or a cell at infinity in the territory.
   [[nodiscard]] Place locate(std::uint32_t site, std::uint32_t start,
-                             const Territory<D>& territory) const {
+                             const Territory<A, D>& territory) const {
     return is_wide_ ? walk_wide(site, start, territory) : walk_plain(site, start, territory);
   }
 
@@ -49,7 +49,7 @@ class PointLocation {
 
   template <class FacetBefore>
   [[gnu::always_inline]] Place walk(std::uint32_t site, std::uint32_t start,
-                                    const Territory<D>& territory,
+                                    const Territory<A, D>& territory,
                                     const FacetBefore& facet_before_site) const {
     const bool is_whole = territory.is_whole();
     std::uint32_t cell = start;
@@ -69,14 +69,14 @@ class PointLocation {
     }
   }
 
-  [[nodiscard]] bool owns(const Territory<D>& territory, std::uint32_t cell) const {
+  [[nodiscard]] bool owns(const Territory<A, D>& territory, std::uint32_t cell) const {
     bool all = true;
     for (const std::uint32_t vertex : cells_[cell].corners) all &= territory.has(vertex);
     return all;
   }
 
   [[nodiscard]] Place walk_plain(std::uint32_t site, std::uint32_t start,
-                                 const Territory<D>& territory) const {
+                                 const Territory<A, D>& territory) const {
     return walk(site, start, territory, [&](const Corners<A>& corners, std::uint32_t of) {
       return facet_before(corners, of);
     });
@@ -84,7 +84,7 @@ class PointLocation {
 
 #ifdef ORTHOBALL_WIDE_CODE
   [[nodiscard]] ORTHOBALL_AVX2 Place walk_wide(std::uint32_t site, std::uint32_t start,
-                                               const Territory<D>& territory) const {
+                                               const Territory<A, D>& territory) const {
     if constexpr (A == 3) {
       return walk(site, start, territory,
                   [&](const Corners<A>& corners, std::uint32_t of) ORTHOBALL_AVX2 {
@@ -100,7 +100,7 @@ class PointLocation {
   }
 #else
   [[nodiscard]] Place walk_wide(std::uint32_t site, std::uint32_t start,
-                                const Territory<D>& territory) const {
+                                const Territory<A, D>& territory) const {
     return walk_plain(site, start, territory);
   }
 #endif

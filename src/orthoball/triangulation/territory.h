@@ -9,14 +9,14 @@
 namespace orthoball {
 
 /// A set of vertices; a thread changes only cells that have all their corners in its own, disjoint
-/// from those of others. The vertex at infinity is in all territories of a triangulation in space,
-/// in none of one in the plane.
+/// from those of others. The vertex at infinity is in all territories of a triangulation of
+/// tetrahedra, in none of one of triangles, whose cells at infinity share too few other vertices.
 ///
 /// Two cells that share a facet share at least two finite corners in any territory that one of them
 /// lies in, and three corners are enough to have one of these. So no other thread owns the
 /// neighbour of a thread's cell, the cell behind it, or any facet of it: a thread may read the
 /// neighbours of its cells and write to them without locks.
-template <int D>
+template <int A, int D>
 class Territory {
  public:
   /// All vertices.
@@ -46,7 +46,7 @@ class Territory {
 
   [[nodiscard]] bool is_whole() const { return kind_ == Kind::whole; }
   [[nodiscard]] bool has(std::uint32_t vertex) const {
-    if (vertex == infinity_) return D == 3;
+    if (vertex == infinity_) return A == 3;
     if (kind_ == Kind::numbers) return vertex - begin_ < size_;
     if (kind_ == Kind::whole) return true;
     const double x = (*sites_)[vertex].x[axis_];

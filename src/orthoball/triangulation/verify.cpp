@@ -233,7 +233,7 @@ void check_geometry(const RegularTriangulation<D>& triangulation, const Weighted
   if (!faults.empty()) return;
   const PointLocation<A, D> location(cells, sites);
   for (auto site = static_cast<std::uint32_t>(vertices); site < sites.size(); ++site) {
-    if (in_conflict<A, D>(cells, sites, location.locate(site, 0, Territory<D>::whole()).cell,
+    if (in_conflict<A, D>(cells, sites, location.locate(site, 0, Territory<A, D>::whole()).cell,
                           site)) {
       faults.add("row " + std::to_string(sites.row(site).row()) + " is not hidden");
     }

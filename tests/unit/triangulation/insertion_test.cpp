@@ -61,27 +61,62 @@ TEST(Insertion, GivesTheSameCellsOnAnyNumberOfThreads) {
   check_threads<2>(PointFamily::grid, 90000, {16});
 }
 
+// Sites on a parabola in a plane of space: all on the hull.
+TEST(Insertion, SharesNoCellsAtInfinityInAPlaneOfSpace) {
+  std::vector<double> x;
+  for (int i = 0; i < 70000; ++i) {
+    const double t = i;
+    x.insert(x.end(), {t, t * t, t + t * t});
+  }
+  const WeightedPoints points(3, x, WeightKind::none, {});
+  const auto alone = regular_triangulation<3>(points, Threads(1));
+  EXPECT_EQ(alone.affine_dimension(), 2);
+  EXPECT_EQ(alone.cell_count(), 69998U);
+  expect_the_same<3>(alone, regular_triangulation<3>(points, Threads(8)));
+}
+
+TEST(Insertion, TakesMoreThreadsThanThereAreSites) {
+  for (std::size_t count = 0; count <= 5; ++count) {
+    const WeightedPoints points = points_of(PointFamily::uniform, 3, count, 1);
+    expect_the_same<3>(regular_triangulation<3>(points, Threads(1)),
+                       regular_triangulation<3>(points, Threads(16)));
+  }
+}
+
+TEST(Insertion, HidesOnManyThreadsWhatOneBallHides) {
+  const WeightedPoints small = points_of(PointFamily::uniform, 3, 30000, 1);
+  std::vector<double> x(small.coordinates().begin(), small.coordinates().end());
+  std::vector<double> radii(small.size(), 0.0);
+  radii[17] = 10.0;  // much larger than the box of the others
+  const WeightedPoints points(3, x, WeightKind::radius, radii);
+  const auto alone = regular_triangulation<3>(points, Threads(1));
+  EXPECT_GT(alone.hidden().size(), 29000U);
+  expect_the_same<3>(alone, regular_triangulation<3>(points, Threads(4)));
+}
+
 TEST(Insertion, OnManyThreadsGivesRegularTriangulations) {
   const WeightedPoints points = points_of(PointFamily::uniform_balls, 3, 20000, 2);
   EXPECT_EQ(verify(regular_triangulation<3>(points, Threads(3)), points),
             std::vector<std::string>());
 }
 
-TEST(Territory, OfManyTheVertexAtInfinityIsInAllInSpaceAndInNoneInThePlane) {
+TEST(Territory, OfManyTheVertexAtInfinityIsInAllOfTetrahedraAndInNoneOfTriangles) {
   const Sites<3> sites(points_of(PointFamily::uniform, 3, 2, 1), {SiteId(0), SiteId(1)});
   const Sites<2> flat(points_of(PointFamily::uniform, 2, 2, 1), {SiteId(0), SiteId(1)});
-  EXPECT_TRUE(Territory<3>::of_numbers(0, 1, 2).has(2));
-  EXPECT_FALSE(Territory<2>::of_numbers(0, 2, 2).has(2));
-  EXPECT_TRUE(Territory<3>::of_slab(sites, 0, 5.0, 6.0, 2).has(2));
-  EXPECT_FALSE(Territory<2>::of_slab(flat, 0, -1.0, 1.0, 2).has(2));
-  EXPECT_TRUE(Territory<2>::whole().has(2));
+  EXPECT_TRUE((Territory<3, 3>::of_numbers(0, 1, 2).has(2)));
+  EXPECT_FALSE((Territory<2, 2>::of_numbers(0, 2, 2).has(2)));
+  EXPECT_TRUE((Territory<3, 3>::of_slab(sites, 0, 5.0, 6.0, 2).has(2)));
+  EXPECT_FALSE((Territory<2, 2>::of_slab(flat, 0, -1.0, 1.0, 2).has(2)));
+  EXPECT_FALSE((Territory<2, 3>::of_numbers(0, 2, 2).has(2)));
+  EXPECT_FALSE((Territory<2, 3>::of_slab(sites, 0, -1.0, 1.0, 2).has(2)));
+  EXPECT_TRUE((Territory<2, 2>::whole().has(2)));
 }
 
 TEST(Territory, HasWhatIsBetweenItsBorders) {
   const WeightedPoints points(3, {0, 5, 0, 1, 6, 0, 2, 7, 0}, WeightKind::none, {});
   const Sites<3> sites(points, {SiteId(0), SiteId(1), SiteId(2)});
-  const auto part = Territory<3>::of_numbers(1, 2, 3);
-  const auto slab = Territory<3>::of_slab(sites, 1, 5.5, 7.0, 3);
+  const auto part = Territory<3, 3>::of_numbers(1, 2, 3);
+  const auto slab = Territory<3, 3>::of_slab(sites, 1, 5.5, 7.0, 3);
   for (const auto& territory : {part, slab}) {
     EXPECT_FALSE(territory.has(0));
     EXPECT_TRUE(territory.has(1));
