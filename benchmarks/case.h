@@ -62,6 +62,17 @@ inline double status_megabytes(const std::string& name) {
   return 0.0;
 }
 
+/// Seconds of processor time since it was made.
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC;
+  }
+
+ private:
+  std::clock_t start_ = std::clock();
+};
+
 /// Measures a work from where it is made to where it is asked: seconds of the processor (of all
 /// threads) and of the clock, and memory.
 class Meter {
