@@ -72,7 +72,7 @@ ORTHOBALL_AVX2 std::size_t select_by_eights(const std::uint32_t* enters, std::ui
     if (window.wanted != nullptr) {
       std::uint16_t two_bytes = 0;  // bits i..i + 7 are among them
       std::memcpy(&two_bytes, reinterpret_cast<const std::byte*>(window.wanted) + i / 8, 2);
-      bits &= two_bytes >> i % 8;
+      bits &= unsigned{two_bytes} >> i % 8;
     }
     __m128i places = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kPlaces[bits].data()));
     const __m256i numbers =
