@@ -12,7 +12,8 @@ namespace orthoball {
 /// The finite cells of a finished triangulation, in the one order and numbering that depends on the
 /// triangulation alone: vertices less the hidden ones, cells ascending by their ascending corners,
 /// corners as CellRecord says. Neighbours in space become neighbours in memory. O(n) time unless
-/// cells crowd at one vertex; in place, with 6 bytes a cell and 4 a vertex beside.
+/// cells crowd at one vertex; in place, with 5 bytes a cell and, at first, 4 a vertex and thread
+/// beside. The same on any number of threads.
 /// @param cells        used up.
 /// @param is_hidden    [site] whether a site has no cell.
 /// @param is_oriented  whether cells keep their orientation by a change of the last two corners.
