@@ -14,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/usage_error.h"
 #include "orthoball/error.h"
+#include "orthoball/large_blocks.h"
 #include "orthoball/output/byte_sink.h"
 #include "orthoball/version.h"
 
@@ -90,6 +91,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   std::ios::sync_with_stdio(false);
+  const orthoball::LargeBlockReuse reuse;  // from one stage to the next
   CLI::App app("Every alpha shape of weighted points in the plane and in space, exactly.");
   try {
     add_commands(app);

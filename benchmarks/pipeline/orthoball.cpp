@@ -6,6 +6,7 @@
 
 #include "benchmarks/case.h"
 #include "orthoball/filtration/filtration.h"
+#include "orthoball/large_blocks.h"
 #include "orthoball/parallel.h"
 #include "orthoball/signatures/signature.h"
 #include "orthoball/triangulation/build.h"
@@ -43,6 +44,7 @@ void scan(const AnyFiltration& filtration, const Visit& visit, Threads threads) 
 template <int D>
 void run(const benchmarks::Case& task) {
   const Threads threads(task.threads);
+  const LargeBlockReuse reuse;
   benchmarks::Meter meter;
   if (task.work == "input") {
     meter.report(task, {});

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "orthoball/large_blocks.h"
 #include "orthoball/triangulation/build.h"
 
 namespace orthoball {
@@ -30,6 +31,7 @@ Filtration<D> filtration_of(const WeightedPoints& points, const BuildOptions& op
 
 AlphaShapes::AlphaShapes(WeightedPoints points, const BuildOptions& options)
     : points_(std::move(points)) {
+  const LargeBlockReuse reuse;
   if (points_.dimension() == 2) {
     filtration_ = filtration_of<2>(points_, options);
   } else {

@@ -6,6 +6,7 @@
 // no layer
 #include "orthoball/error.h"
 #include "orthoball/ids.h"
+#include "orthoball/large_blocks.h"
 #include "orthoball/memory_budget.h"
 #include "orthoball/parallel.h"
 // points, input

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "orthoball/raw_vector.h"
+
 namespace orthoball {
 
 /// A row number with the 64-bit key it is sorted by.
@@ -18,7 +20,7 @@ struct KeyedRow {
 
 /// Sorts by key, ascending and stably: least significant digits first, digits on which all keys
 /// agree left out. O(n) time, O(n) extra memory.
-inline void radix_sort(std::vector<KeyedRow>& rows) {
+inline void radix_sort(RawVector<KeyedRow>& rows) {
   constexpr unsigned kDigitBits = 11;
   constexpr std::size_t kDigits = 6;  // of 11 bits in 64
   constexpr std::size_t kValues = std::size_t{1} << kDigitBits;
@@ -30,7 +32,7 @@ inline void radix_sort(std::vector<KeyedRow>& rows) {
   for (const KeyedRow& row : rows) {
     for (std::size_t place = 0; place < kDigits; ++place) ++counts[place][digit(row.key, place)];
   }
-  std::vector<KeyedRow> sorted(rows.size());
+  RawVector<KeyedRow> sorted(rows.size());
   for (std::size_t place = 0; place < kDigits; ++place) {
     auto& next = counts[place];
     if (rows.empty() || next[digit(rows[0].key, place)] == rows.size()) continue;

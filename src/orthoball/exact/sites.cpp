@@ -51,7 +51,8 @@ constexpr int kDigits = 53;
 // Every length is below 2^top.
 int top_of(const Extent& extent) { return std::ilogb(extent.largest) + 1; }
 
-Extent extent_of(const WeightedPoints& points, std::span<const SiteId> rows) {
+// Of some rows, in their order: sites are far apart there.
+Extent extent_of(const WeightedPoints& points, std::size_t begin, std::size_t end) {
   Extent extent;
   const auto axes = static_cast<std::size_t>(points.dimension());
   // Once lengths differ by more than a double has digits, the lowest bit does not matter.
@@ -61,9 +62,9 @@ Extent extent_of(const WeightedPoints& points, std::span<const SiteId> rows) {
     extent.lowest = std::min(extent.lowest, low);
     is_wide = top_of(extent) - extent.lowest > kDigits;
   };
-  for (const SiteId row : rows) {
+  for (std::size_t row = begin; row < end; ++row) {
     for (std::size_t axis = 0; axis < axes; ++axis) {
-      const double x = std::abs(points.coordinates()[axes * row.row() + axis]);
+      const double x = std::abs(points.coordinates()[axes * row + axis]);
       if (is_wide) {
         extent.largest = std::max(extent.largest, x);
       } else if (x != 0.0) {
@@ -71,7 +72,7 @@ Extent extent_of(const WeightedPoints& points, std::span<const SiteId> rows) {
       }
     }
     if (points.weight_kind() == WeightKind::none) continue;
-    const Weight weight = exact_weight(points, row.row());
+    const Weight weight = exact_weight(points, row);
     if (weight.high == 0.0) continue;
     const double length = std::ldexp(std::sqrt(std::abs(weight.high)), weight.exponent / 2);
     if (is_wide) {
@@ -173,11 +174,12 @@ Sites<D>::Sites(const WeightedPoints& points, std::vector<SiteId> rows, Threads 
     : rows_(std::move(rows)) {
   const std::span<const SiteId> all = rows_;
   decimals_ = points.decimals().value_or(0);
-  const std::size_t parts = threads.for_work(rows_.size(), 1U << 14U).count();
+  const std::size_t parts = threads.for_work(points.size(), 1U << 14U).count();
   std::vector<Extent> extents(parts);
-  parallel_parts(threads, size(), parts, [&](std::size_t part, std::size_t begin, std::size_t end) {
-    extents[part] = extent_of(points, all.subspan(begin, end - begin));
-  });
+  parallel_parts(threads, points.size(), parts,
+                 [&](std::size_t part, std::size_t begin, std::size_t end) {
+                   extents[part] = extent_of(points, begin, end);
+                 });
   Extent extent;
   for (const Extent& part : extents) {
     extent.largest = std::max(extent.largest, part.largest);

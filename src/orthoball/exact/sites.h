@@ -44,7 +44,7 @@ template <int D>
 class Sites {
  public:
   Sites() = default;
-  /// @param rows  the sites taken, in their inside order.
+  /// @param rows  the sites taken, in their inside order. The unit is that of all points.
   Sites(const WeightedPoints& points, std::vector<SiteId> rows, Threads threads = Threads(1));
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }

@@ -8,6 +8,7 @@
 #include "orthoball/filtration/attached_simplices.h"
 #include "orthoball/filtration/filter_order.h"
 #include "orthoball/filtration/value_ranks.h"
+#include "orthoball/large_blocks.h"
 
 namespace orthoball {
 namespace {
@@ -23,6 +24,7 @@ std::size_t count_ones(std::span<const std::uint64_t> words) {
 template <int D>
 Filtration<D>::Filtration(RegularTriangulation<D> triangulation, Threads threads)
     : triangulation_(std::move(triangulation)) {
+  const LargeBlockReuse reuse;
   typename SimplexTable<D>::EdgesOfCells edges_of_cells;
   table_ = SimplexTable<D>(triangulation_, edges_of_cells, threads);
   is_attached_ = attached_simplices(triangulation_, table_, edges_of_cells, threads);

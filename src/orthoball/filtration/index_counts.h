@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "orthoball/raw_vector.h"
+
 namespace orthoball {
 
 /// Indices of a spectrum are handled one stretch after the other: so many that what is kept of each
@@ -60,10 +62,10 @@ class IndexCounts {
   }
 
  private:
-  std::vector<std::uint32_t> begins_;      // [stretch of indices]: of its occurrences
-  std::vector<std::uint16_t> lower_bits_;  // [occurrence] of its index
-  std::vector<std::uint32_t> counts_;      // [lower bits], of the stretch before end_
-  std::uint64_t end_ = 0;                  // of the indices counted
+  std::vector<std::uint32_t> begins_;    // [stretch of indices]: of its occurrences
+  RawVector<std::uint16_t> lower_bits_;  // [occurrence] of its index
+  std::vector<std::uint32_t> counts_;    // [lower bits], of the stretch before end_
+  std::uint64_t end_ = 0;                // of the indices counted
 };
 
 }  // namespace orthoball

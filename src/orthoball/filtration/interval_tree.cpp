@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "orthoball/radix_sort.h"
+#include "orthoball/raw_vector.h"
 
 namespace orthoball {
 namespace {
@@ -25,7 +26,7 @@ std::uint32_t highest_node(std::uint32_t first, std::uint32_t last) {
 }  // namespace
 
 IntervalTree::IntervalTree(std::span<const IndexInterval> intervals) {
-  std::vector<KeyedRow> order;
+  RawVector<KeyedRow> order;
   for (std::uint32_t row = 0; row < intervals.size(); ++row) {
     if (intervals[row].begin < intervals[row].end) order.push_back({intervals[row].begin, row});
   }

@@ -33,10 +33,7 @@ BucketRule::BucketRule(std::size_t numbers, std::span<const double> sample)
 }
 
 LabelPool::LabelPool(std::size_t numbers, std::size_t buckets, std::size_t lists)
-    : chunks_(
-          std::make_unique_for_overwrite<Chunk[]>(numbers / kChunk + (buckets + kTaken) * lists)),
-      nexts_(std::make_unique_for_overwrite<std::uint32_t[]>(numbers / kChunk +
-                                                             (buckets + kTaken) * lists)) {}
+    : chunks_(numbers / kChunk + (buckets + kTaken) * lists), nexts_(chunks_.size()) {}
 
 void LabelList::begin_chunk(std::size_t bucket) {
   if (next_chunk_ % LabelPool::kTaken == 0) next_chunk_ = pool_->take();

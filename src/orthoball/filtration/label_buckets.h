@@ -5,12 +5,12 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "orthoball/filtration/key_sort.h"
 #include "orthoball/radix_sort.h"
+#include "orthoball/raw_vector.h"
 
 namespace orthoball {
 
@@ -85,8 +85,8 @@ class LabelPool {
   [[nodiscard]] std::uint32_t take() { return used_.fetch_add(kTaken, std::memory_order_relaxed); }
 
  private:
-  std::unique_ptr<Chunk[]> chunks_;
-  std::unique_ptr<std::uint32_t[]> nexts_;
+  RawVector<Chunk> chunks_;
+  RawVector<std::uint32_t> nexts_;
   std::atomic<std::uint32_t> used_ = 0;
 };
 

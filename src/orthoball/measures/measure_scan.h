@@ -15,6 +15,7 @@
 #include "orthoball/measures/sum_rows.h"
 #include "orthoball/measures/term_bins.h"
 #include "orthoball/parallel.h"
+#include "orthoball/raw_vector.h"
 #include "orthoball/topology/facet_roles.h"
 
 namespace orthoball {
@@ -121,7 +122,7 @@ class MeasureScan {
   std::size_t next_window_ = 0;
   Window window_{0, 0, 1};
   std::uint32_t first_stretch_ = 0, end_stretch_ = 0;  // the run
-  std::array<std::vector<std::uint32_t>, kColumns> columns_;
+  std::array<BlockVector<std::uint32_t>, kColumns> columns_;
 };
 
 extern template class MeasureScan<2>;  // defined in measure_scan.cpp

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "orthoball/filtration/index_counts.h"
+#include "orthoball/raw_vector.h"
 
 namespace orthoball {
 
@@ -39,10 +39,9 @@ class TermBins {
         size += counts[part][stretch] * kBytes;
       }
     }
-    if (size > capacity_) {
-      bytes_.reset();
-      bytes_ = std::make_unique_for_overwrite<std::byte[]>(size);
-      capacity_ = size;
+    if (size > bytes_.size()) {
+      bytes_ = RawVector<std::byte>();  // not both at a time
+      bytes_.resize(size);
     }
     ends_ = begins_;
   }
@@ -51,7 +50,7 @@ class TermBins {
   class Dealer {
    public:
     Dealer(TermBins& bins, std::size_t part)
-        : bytes_(bins.bytes_.get()),
+        : bytes_(bins.bytes_.data()),
           ends_(bins.ends_.data() + part * bins.stretches_),
           first_(bins.first_) {}
     /// To be called some terms ahead.
@@ -82,8 +81,8 @@ class TermBins {
   [[gnu::always_inline]] void for_each(std::uint32_t stretch, const Visit& visit) const {
     for (std::size_t part = 0; part < parts_; ++part) {
       const std::size_t bin = part * stretches_ + (stretch - first_);
-      const std::byte* end = bytes_.get() + ends_[bin];
-      for (const std::byte* at = bytes_.get() + begins_[bin]; at != end; at += kBytes) {
+      const std::byte* end = bytes_.data() + ends_[bin];
+      for (const std::byte* at = bytes_.data() + begins_[bin]; at != end; at += kBytes) {
         std::uint16_t place = 0;
         std::memcpy(&place, at + N * sizeof(double), sizeof place);
         visit(place % kIndexStretch, place >> kIndexStretchBits, at);
@@ -93,8 +92,8 @@ class TermBins {
 
  private:
   std::uint32_t first_ = 0;
-  std::size_t parts_ = 0, stretches_ = 0, capacity_ = 0;
-  std::unique_ptr<std::byte[]> bytes_;
+  std::size_t parts_ = 0, stretches_ = 0;
+  RawVector<std::byte> bytes_;
   std::vector<std::size_t> begins_, ends_;  // [part][stretch - first], in bytes_
 };
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "orthoball/error.h"
+#include "orthoball/large_blocks.h"
 #include "orthoball/signatures/signature_scan.h"
 
 namespace orthoball {
@@ -19,6 +20,7 @@ constexpr std::size_t kLeastSimplices = 50'000;
 template <int D>
 void scan_signatures(const Filtration<D>& filtration,
                      const std::function<void(const Signature<D>&)>& visit, Threads threads) {
+  const LargeBlockReuse reuse;
   threads = threads.for_work(filtration.size(), kLeastSimplices);
   constexpr std::size_t kBlock = SignatureScan<D>::kBlock;
   SignatureScan<D> scan(filtration, threads);

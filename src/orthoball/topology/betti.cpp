@@ -79,7 +79,7 @@ class Voids {
   // which enters at the same index, and mark_own(cell, corner) is called.
   template <class Mark, class MarkOwn, class End>
   void build(const Mark& mark, const MarkOwn& mark_own, const End& end) const {
-    std::vector<std::uint32_t> tree(cells_.size() + 1);
+    RawVector<std::uint32_t> tree(cells_.size() + 1);
     for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
       const std::uint32_t corner = own_triangle(cell);
       tree[cell] = is_end(cell, corner) ? cell : beyond(cell, corner);
@@ -164,7 +164,7 @@ CycleMarks<D>::CycleMarks(const Filtration<D>& filtration)
 
 namespace {
 
-using Indices = std::vector<std::uint32_t>;
+using Indices = BlockVector<std::uint32_t>;
 
 // When edges join components.
 template <int D>

@@ -7,7 +7,8 @@
 #include <limits>
 #include <numeric>
 #include <utility>
-#include <vector>
+
+#include "orthoball/raw_vector.h"
 
 namespace orthoball {
 
@@ -22,9 +23,9 @@ namespace spanning_forest_detail {
 inline constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
 
 // The least joint of each component, its weight in the upper half and its place in the lower.
-inline std::vector<std::uint64_t> least_joints(const std::vector<Joint>& joints,
+inline BlockVector<std::uint64_t> least_joints(const RawVector<Joint>& joints,
                                                std::uint32_t component_count) {
-  std::vector<std::uint64_t> least(component_count, kNone);
+  BlockVector<std::uint64_t> least(component_count, kNone);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const std::uint64_t key = std::uint64_t{joints[i].weight} << 32U | i;
     least[joints[i].a] = std::min(least[joints[i].a], key);
@@ -38,7 +39,7 @@ inline std::vector<std::uint64_t> least_joints(const std::vector<Joint>& joints,
 /// Turns the parent of every node of a forest, itself for a root, into the number of its root;
 /// roots are numbered from 0 in order. Returns their number.
 /// @param nodes  [node]; fewer than 2^31.
-inline std::uint32_t number_roots(std::vector<std::uint32_t>& nodes) {
+inline std::uint32_t number_roots(RawVector<std::uint32_t>& nodes) {
   constexpr std::uint32_t kIsNumber = std::uint32_t{1} << 31U;  // and no parent
   std::uint32_t roots = 0;
   for (std::uint32_t node = 0; node < nodes.size(); ++node) {
@@ -68,14 +69,14 @@ inline std::uint32_t number_roots(std::vector<std::uint32_t>& nodes) {
 /// @return [component]: the number of its tree.
 /// Eight bytes a component. O(m log n) for m joints.  @cite boruvka_1926
 template <class Mark>
-std::vector<std::uint32_t> join(std::vector<Joint> joints, std::uint32_t& component_count,
-                                const Mark& mark) {
-  std::vector<std::uint32_t> tree(component_count);
+RawVector<std::uint32_t> join(RawVector<Joint> joints, std::uint32_t& component_count,
+                              const Mark& mark) {
+  RawVector<std::uint32_t> tree(component_count);
   std::iota(tree.begin(), tree.end(), 0U);
   while (!joints.empty()) {
-    std::vector<std::uint32_t> parents(component_count);
+    RawVector<std::uint32_t> parents(component_count);
     {
-      const std::vector<std::uint64_t> least =
+      const BlockVector<std::uint64_t> least =
           spanning_forest_detail::least_joints(joints, component_count);
       // Following least joints ends at two components that share theirs, for weights only fall.
       for (std::uint32_t c = 0; c < component_count; ++c) {
@@ -89,7 +90,7 @@ std::vector<std::uint32_t> join(std::vector<Joint> joints, std::uint32_t& compon
       }
     }
     component_count = number_roots(parents);
-    const std::vector<std::uint32_t>& number = parents;
+    const RawVector<std::uint32_t>& number = parents;
     std::size_t kept = 0;
     for (const Joint& joint : joints) {
       joints[kept] = {number[joint.a], number[joint.b], joint.weight, joint.edge};
@@ -106,9 +107,9 @@ std::vector<std::uint32_t> join(std::vector<Joint> joints, std::uint32_t& compon
 /// The joints that `joint(i)` makes of 0..size - 1, in order, but for those between a component and
 /// itself.
 template <class MakeJoint>
-std::vector<Joint> joints_of(std::uint32_t size, const MakeJoint& joint) {
+RawVector<Joint> joints_of(std::uint32_t size, const MakeJoint& joint) {
   constexpr std::uint32_t kBlock = 4096;
-  std::vector<Joint> joints;
+  RawVector<Joint> joints;
   joints.reserve(size / 8 * 5);  // most edges of triangulations that are not joined at once
   std::size_t kept = 0;
   for (std::uint32_t begin = 0; begin < size; begin += kBlock) {
@@ -140,7 +141,7 @@ void mark_spanning_forest(const Graph& graph, const Mark& mark) {
     const auto [a, b] = graph.ends(edge);
     return {a, b, weight, edge};
   };
-  const std::vector<std::uint32_t> component =
+  const RawVector<std::uint32_t> component =
       join(joints_of(graph.edge_count(), joint), component_count, mark);
   if (component_count <= 1) return;
   const auto late_joint = [&](std::uint32_t edge) -> Joint {

@@ -9,6 +9,7 @@
 
 #include "orthoball/error.h"
 #include "orthoball/exact/orient.h"
+#include "orthoball/large_blocks.h"
 #include "orthoball/triangulation/affine_basis.h"
 #include "orthoball/triangulation/canonical_cells.h"
 #include "orthoball/triangulation/insertion.h"
@@ -50,7 +51,7 @@ void start_cells(CellStore<A>& cells, const Sites<D>& sites, std::span<const std
 
 // The cells over sites that span A axes, the first A; marks hidden sites.
 template <int A, int D>
-CellArray<A> cells_over(const Sites<D>& sites, std::span<const std::uint32_t> order,
+CellArray<A> cells_over(const Sites<D>& sites, InsertionOrder order,
                         std::span<const std::uint32_t> basis, std::vector<bool>& is_hidden,
                         Threads threads) {
   constexpr std::size_t kCellsPerSite = A == 3 ? 7 : 2;  // what uniform points need
@@ -59,17 +60,18 @@ CellArray<A> cells_over(const Sites<D>& sites, std::span<const std::uint32_t> or
   for (const std::uint32_t site : insert_sites<A, D>(cells, sites, order, basis, threads)) {
     is_hidden[site] = true;
   }
+  order = InsertionOrder();
   return canonical_cells<A>(std::move(cells), is_hidden, A == D, threads);
 }
 
 template <int A, int D>
-CellArray<A> cells_in_span(const Sites<D>& sites, const AffineBasis<D>& basis,
-                           std::span<const std::uint32_t> order, std::vector<bool>& is_hidden,
-                           Threads threads) {
+CellArray<A> cells_in_span(const Sites<D>& sites, const AffineBasis<D>& basis, InsertionOrder order,
+                           std::vector<bool>& is_hidden, Threads threads) {
   if constexpr (A == D)
-    return cells_over<A, D>(sites, order, basis.sites, is_hidden, threads);
+    return cells_over<A, D>(sites, std::move(order), basis.sites, is_hidden, threads);
   else
-    return cells_over<A, D>(sites.with_axes(basis.axes), order, basis.sites, is_hidden, threads);
+    return cells_over<A, D>(sites.with_axes(basis.axes), std::move(order), basis.sites, is_hidden,
+                            threads);
 }
 
 }  // namespace
@@ -81,11 +83,12 @@ RegularTriangulation<D> regular_triangulation(const WeightedPoints& points, Thre
                      "points of dimension " + std::to_string(points.dimension()) +
                          " for a triangulation of dimension " + std::to_string(D));
   }
+  const LargeBlockReuse reuse;
   typename RegularTriangulation<D>::Parts parts;
   CurveOrder curve = curve_order<D>(points, threads);
   parts.duplicates = std::move(curve.duplicates);
   Sites<D> sites(points, std::move(curve.rows), threads);
-  const std::vector<std::uint32_t> order = insertion_order(sites.size());
+  InsertionOrder order = insertion_order(sites.size());
   const AffineBasis<D> basis = affine_basis(sites, order);
 
   std::vector<bool> is_hidden(sites.size(), false);
@@ -95,14 +98,14 @@ RegularTriangulation<D> regular_triangulation(const WeightedPoints& points, Thre
       std::fill(is_hidden.begin(), is_hidden.end() - 1, true);
       break;
     case 1:
-      parts.segments = cells_in_span<1>(sites, basis, order, is_hidden, threads);
+      parts.segments = cells_in_span<1>(sites, basis, std::move(order), is_hidden, threads);
       break;
     case 2:
-      parts.triangles = cells_in_span<2>(sites, basis, order, is_hidden, threads);
+      parts.triangles = cells_in_span<2>(sites, basis, std::move(order), is_hidden, threads);
       break;
     case 3:
       if constexpr (D == 3)
-        parts.tetrahedra = cells_in_span<3>(sites, basis, order, is_hidden, threads);
+        parts.tetrahedra = cells_in_span<3>(sites, basis, std::move(order), is_hidden, threads);
       break;
     default:
       break;

@@ -3,16 +3,20 @@
 // Everything happens in the memory that the cells have. First they are grouped by their smallest
 // corner: a counting sort gives each cell its place, neighbours are rewritten to these, and records
 // are moved along the cycles of that permutation, several at a time, for each step waits for
-// memory. Then the cells of each group, few and side by side, are put in order with their corners,
-// and neighbours are rewritten once more: all they refer to is near by then.
+// memory. The smallest corner follows from the place, so meanwhile a record carries its place
+// instead: nothing but records is touched. Then the cells of each group, few and side by side, are
+// put in order with their corners, and neighbours are rewritten once more: all they refer to is
+// near by then.
 #include "orthoball/triangulation/canonical_cells.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <numeric>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "orthoball/raw_vector.h"
@@ -27,79 +31,124 @@ std::uint32_t mapped(CornerMap map, std::uint32_t old_corner) {
   return std::uint32_t{map} >> (2 * old_corner) & 3U;
 }
 
+// The ranks of A + 1 corners by their size, 2 bits each: no branches, for the order of four is as
+// good as random.
 template <int A>
-struct SortedCorners {
-  std::array<std::uint32_t, std::size_t{A + 1}> corners;
-  CornerMap map;
-};
-
-// The corners in ascending order, the last two exchanged after an odd permutation where orientation
-// matters. By ranks, without branches: the order of four is as good as random.
-template <int A>
-SortedCorners<A> sorted_corners(const std::array<std::uint32_t, std::size_t{A + 1}>& old,
-                                bool is_oriented) {
-  std::array<std::uint32_t, std::size_t{A + 1}> rank{};
-  std::uint32_t inversions = 0;
-  for (std::size_t i = 0; i <= A; ++i) {
-    for (std::size_t j = i + 1; j <= A; ++j) {
-      const std::uint32_t inverted = old[i] > old[j] ? 1 : 0;
-      rank[i] += inverted;
-      rank[j] += 1 - inverted;
-      inversions += inverted;
+CornerMap ranks_of(const std::array<std::uint32_t, std::size_t{A + 1}>& corners) {
+  if constexpr (A == 3) {
+    using Four = std::int32_t __attribute__((vector_size(16)));  // vertices are below 2^31
+    Four all;
+    std::memcpy(&all, corners.data(), sizeof all);
+    const Four ranks = (all > __builtin_shufflevector(all, all, 1, 2, 3, 0)) +
+                       (all > __builtin_shufflevector(all, all, 2, 3, 0, 1)) +
+                       (all > __builtin_shufflevector(all, all, 3, 0, 1, 2));  // negative
+    return static_cast<CornerMap>(-(ranks[0] + 4 * ranks[1] + 16 * ranks[2] + 64 * ranks[3]));
+  } else {
+    std::uint32_t ranks = 0;
+    for (std::uint32_t i = 0; i <= A; ++i) {
+      for (std::uint32_t j = 0; j < i; ++j) ranks += 1U << (2 * (corners[i] > corners[j] ? i : j));
     }
+    return static_cast<CornerMap>(ranks);
   }
-  const bool is_exchanged = is_oriented && inversions % 2 == 1;
-  SortedCorners<A> sorted;
-  std::uint32_t map = 0;
-  for (std::uint32_t i = 0; i <= A; ++i) {
-    if (is_exchanged && rank[i] + 1 >= A) rank[i] = 2 * A - 1 - rank[i];
-    sorted.corners[rank[i]] = old[i];
-    map |= rank[i] << (2 * i);
-  }
-  sorted.map = static_cast<CornerMap>(map);
-  return sorted;
 }
 
-/// A cell among those that share its first corner.
+// [ranks]: the map that sorts corners of these ranks, the last two exchanged after an odd
+// permutation.
 template <int A>
-struct CellAtSite {
-  std::uint64_t key;  // the other corners, ascending, but for the largest of four
-  std::uint32_t last;
-
-  explicit CellAtSite(const std::array<std::uint32_t, std::size_t{A + 1}>& corners) {
-    const auto [low, high] = std::minmax(corners[A - 1], corners[A]);
-    key = A == 3 ? std::uint64_t{corners[1]} << 32U | low : std::uint64_t{low} << 32U | high;
-    last = high;
-  }
-  // 1 if *this comes before `other`: no branches.
-  [[nodiscard]] std::uint32_t precedes(const CellAtSite& other) const {
-    return static_cast<std::uint32_t>(key < other.key) |
-           (static_cast<std::uint32_t>(key == other.key) &
-            static_cast<std::uint32_t>(last < other.last));
-  }
-};
-
-// Puts into ranks[i] how many of the cells come before cells[i].
-template <int A>
-void rank(const std::vector<CellAtSite<A>>& cells, std::vector<std::uint32_t>& ranks) {
-  constexpr std::size_t kFew = 32;
-  ranks.assign(cells.size(), 0);
-  if (cells.size() <= kFew) {
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        const std::uint32_t precedes = cells[i].precedes(cells[j]);
-        ranks[j] += precedes;
-        ranks[i] += 1 - precedes;
+constexpr std::array<CornerMap, 256> kOrientedMaps = [] {
+  std::array<CornerMap, 256> maps{};
+  for (std::uint32_t ranks = 0; ranks < 256; ++ranks) {
+    std::uint32_t inversions = 0;
+    for (std::uint32_t i = 0; i <= A; ++i) {
+      for (std::uint32_t j = 0; j < i; ++j) {
+        inversions += (ranks >> (2 * j) & 3U) > (ranks >> (2 * i) & 3U) ? 1 : 0;
       }
     }
-    return;
+    std::uint32_t map = 0;
+    for (std::uint32_t i = 0; i <= A; ++i) {
+      std::uint32_t rank = ranks >> (2 * i) & 3U;
+      if (inversions % 2 == 1 && rank + 1 >= A && rank <= A) rank = 2 * A - 1 - rank;
+      map |= rank << (2 * i);
+    }
+    maps[ranks] = static_cast<CornerMap>(map);
   }
-  std::vector<std::uint32_t> order(cells.size());
-  std::iota(order.begin(), order.end(), std::uint32_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t i, std::uint32_t j) { return cells[i].precedes(cells[j]) != 0; });
-  for (std::uint32_t i = 0; i < order.size(); ++i) ranks[order[i]] = i;
+  return maps;
+}();
+
+// Puts the corners in ascending order, the last two exchanged after an odd permutation where
+// orientation matters.
+template <int A>
+CornerMap sort_corners(std::array<std::uint32_t, std::size_t{A + 1}>& corners, bool is_oriented) {
+  const CornerMap ranks = ranks_of<A>(corners);
+  const CornerMap map = is_oriented ? kOrientedMaps<A>[ranks] : ranks;
+  const auto old = corners;
+  for (std::uint32_t i = 0; i <= A; ++i) corners[mapped(map, i)] = old[i];
+  return map;
 }
+
+/// The other corners of a cell, ascending, as one number, by which cells that share their first
+/// corner are told apart: by their distance from it, which nearly always fits.
+template <int A>
+struct CellAtSite {
+  static constexpr unsigned kBits = A == 3 ? 21 : 32;  // a corner
+
+  std::uint64_t key = 0;
+  bool fits;
+
+  explicit CellAtSite(const std::array<std::uint32_t, std::size_t{A + 1}>& corners) {
+    auto ascending = corners;
+    std::tie(ascending[A - 1], ascending[A]) = std::minmax({corners[A - 1], corners[A]});
+    for (std::size_t i = 1; i <= A; ++i) key = key << kBits | (ascending[i] - corners[0]);
+    fits = ascending[A] - corners[0] < std::uint64_t{1} << kBits;
+  }
+};
+
+/// Ranks the cells that share their first corner by the others.
+template <int A>
+class CellRanking {
+ public:
+  /// Puts into ranks()[i] how many of the cells come before cells[i].
+  void rank(std::span<const CellRecord<A>> cells) {
+    keys_.clear();
+    bool fit = true;
+    for (const CellRecord<A>& cell : cells) {
+      const CellAtSite<A> at_site(cell.corners);
+      keys_.push_back(at_site.key);
+      fit &= at_site.fits;
+    }
+    ranks_.assign(cells.size(), 0);
+    if (!fit || cells.size() > kFew) return sort(cells);
+    for (std::uint32_t i = 0; i < keys_.size(); ++i) {
+      std::uint32_t before = i;
+      for (std::uint32_t j = 0; j < i; ++j) {
+        const std::uint32_t precedes = keys_[i] < keys_[j] ? 1 : 0;
+        ranks_[j] += precedes;
+        before -= precedes;
+      }
+      ranks_[i] = before;
+    }
+  }
+  [[nodiscard]] std::span<const std::uint32_t> ranks() const { return ranks_; }
+
+ private:
+  static constexpr std::size_t kFew = 32;
+
+  void sort(std::span<const CellRecord<A>> cells) {
+    std::vector<std::uint32_t> order(cells.size());
+    std::iota(order.begin(), order.end(), std::uint32_t{0});
+    const auto ascending = [&](std::uint32_t i) {
+      auto corners = cells[i].corners;
+      std::tie(corners[A - 1], corners[A]) = std::minmax({corners[A - 1], corners[A]});
+      return corners;
+    };
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t i, std::uint32_t j) { return ascending(i) < ascending(j); });
+    for (std::uint32_t i = 0; i < order.size(); ++i) ranks_[order[i]] = i;
+  }
+
+  std::vector<std::uint64_t> keys_;   // [cell]
+  std::vector<std::uint32_t> ranks_;  // [cell]
+};
 
 /// Where the cells of each vertex go, with its cells told apart by the smallest corner.
 template <int A>
@@ -166,11 +215,12 @@ class CanonicalOrder {
                    });
   }
 
-  // Neighbours become places; kOutside where they are not kept.
+  // Neighbours become places; kOutside where they are not kept. What is not kept becomes a gap.
   void redirect() {
     parallel_parts(threads_, cells_.size(), parts(),
                    [&](std::size_t, std::size_t begin, std::size_t end) {
                      for (std::size_t cell = begin; cell < end; ++cell) {
+                       carry(cells_[cell].corners, place_[cell]);
                        if (place_[cell] == kNowhere) continue;
                        for (std::uint32_t& facet : cells_[cell].neighbours) {
                          const std::uint32_t place = place_[facet / 4];
@@ -178,6 +228,29 @@ class CanonicalOrder {
                        }
                      }
                    });
+  }
+
+  // While it is on its way a record has its place, and where its smallest corner was, instead of
+  // the first corner, which is where the smallest was.
+  using Corners = std::array<std::uint32_t, std::size_t{A + 1}>;
+  static constexpr unsigned kPlaceBits = 29;
+  static void carry(Corners& corners, std::uint32_t place) {
+    const auto smallest = static_cast<std::uint32_t>(
+        std::min_element(corners.begin(), corners.end()) - corners.begin());
+    corners[smallest] = corners[0];
+    corners[0] = place == kNowhere ? kNowhere : smallest << kPlaceBits | place;
+  }
+  static std::uint32_t carried_place(const CellRecord<A>& cell) {
+    const std::uint32_t first = cell.corners[0];
+    return first == kNowhere ? kNowhere : first & ((1U << kPlaceBits) - 1);
+  }
+  // By selections: stores would be waited for by whoever loads all corners at once.
+  [[gnu::always_inline]] static void put_back(Corners& corners, std::uint32_t smallest) {
+    const std::uint32_t at = corners[0] >> kPlaceBits;
+    const std::uint32_t first = corners[at];
+    for (std::uint32_t i = 0; i <= A; ++i) {
+      corners[i] = i == at ? smallest : i == 0 ? first : corners[i];
+    }
   }
 
   // Moves every kept cell to its place: a cell in hand is put down where it belongs and what was
@@ -194,43 +267,40 @@ class CanonicalOrder {
     const auto size = static_cast<std::uint32_t>(cells_.size());
     // The next cell that is not where it belongs; leaves a gap there.
     const auto take_up = [&](Hand& hand) {
-      while (start < size && (place_[start] == kNowhere || place_[start] == start)) ++start;
-      if (start == size) return false;
-      hand = {cells_[start], place_[start]};
-      place_[start++] = kNowhere;
-      return true;
+      for (; start < size; ++start) {
+        const std::uint32_t place = carried_place(cells_[start]);
+        if (place == kNowhere || place == start) continue;
+        hand = {cells_[start], place};
+        cells_[start++].corners[0] = kNowhere;
+        return true;
+      }
+      return false;
     };
     for (bool is_busy = true; is_busy;) {
       is_busy = false;
       for (Hand& hand : hands) {
         if (hand.place == kNowhere && !take_up(hand)) continue;
         is_busy = true;
-        const std::uint32_t here = hand.place;
-        const CellRecord<A> there = cells_[here];
-        cells_[here] = hand.cell;
-        hand = {there, std::exchange(place_[here], kNowhere)};
-        if (hand.place == kNowhere) continue;
-        __builtin_prefetch(&cells_[hand.place], 1);
-        __builtin_prefetch(&place_[hand.place], 1);
+        const CellRecord<A> there = cells_[hand.place];
+        cells_[hand.place] = hand.cell;
+        hand = {there, carried_place(there)};
+        if (hand.place != kNowhere) __builtin_prefetch(&cells_[hand.place], 1);
       }
     }
   }
 
   // Finds the final places of the cells of some vertices, and puts their corners in order.
   void rank(std::size_t begin, std::size_t end) {
-    std::vector<CellAtSite<A>> at_site;
-    std::vector<std::uint32_t> ranks;
-    for (std::size_t vertex = begin; vertex < end; ++vertex) {
-      at_site.clear();
-      for (std::uint32_t cell = begins_[vertex]; cell < begins_[vertex + 1]; ++cell) {
-        const SortedCorners<A> sorted = sorted_corners<A>(cells_[cell].corners, is_oriented_);
-        cells_[cell].corners = sorted.corners;
-        maps_[cell] = sorted.map;
-        at_site.emplace_back(sorted.corners);
+    CellRanking<A> ranking;
+    for (auto vertex = static_cast<std::uint32_t>(begin); vertex < end; ++vertex) {
+      const std::uint32_t first = begins_[vertex], behind = begins_[vertex + 1];
+      for (std::uint32_t cell = first; cell < behind; ++cell) {
+        put_back(cells_[cell].corners, vertex);
+        maps_[cell] = sort_corners<A>(cells_[cell].corners, is_oriented_);
       }
-      orthoball::rank(at_site, ranks);
-      for (std::uint32_t i = 0; i < ranks.size(); ++i) {
-        place_[begins_[vertex] + i] = begins_[vertex] + ranks[i];
+      ranking.rank({cells_.data() + first, behind - first});
+      for (std::uint32_t cell = first; cell < behind; ++cell) {
+        place_[cell] = first + ranking.ranks()[cell - first];
       }
     }
   }

@@ -160,8 +160,7 @@ class ConflictSearch {
         boundary = boundary_.data();
         room = room_left();
       }
-      Cell record = cells[dead[next]];
-      record.neighbours[0] &= ~CellStore<A>::kDead;
+      const Cell record = without_mark(cells[dead[next]]);
       const View view = view_from(cells, record);
       const Fates fates = glance(record, view, site);
       const std::uint32_t dying = fates.dying, staying = fates.staying;
@@ -181,6 +180,19 @@ class ConflictSearch {
     dead_count_ = dead_count;
     facet_count_ = facet_count;
     return true;
+  }
+
+  [[gnu::always_inline]] static Cell without_mark(Cell record) {
+    if constexpr (A == 3) {
+      // All at once: whoever loads them together would wait for a store to one.
+      Words neighbours;
+      std::memcpy(&neighbours, &record.neighbours, sizeof neighbours);
+      neighbours &= ~Words{CellStore<A>::kDead};
+      std::memcpy(&record.neighbours, &neighbours, sizeof neighbours);
+    } else {
+      record.neighbours[0] &= ~CellStore<A>::kDead;
+    }
+    return record;
   }
 
   [[gnu::always_inline]] static View view_from(const Cell* cells, const Cell& record) {

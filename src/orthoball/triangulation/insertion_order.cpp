@@ -135,7 +135,7 @@ std::uint64_t scrambled(std::uint64_t number) {
 template <int D>
 CurveOrder curve_order(const WeightedPoints& points, Threads threads) {
   const Box<D> box(points.coordinates());
-  std::vector<KeyedRow> keyed(points.size());
+  RawVector<KeyedRow> keyed(points.size());
   const std::size_t parts = threads.for_work(points.size(), 1U << 14U).count();
   parallel_parts(
       threads, keyed.size(), parts, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -178,15 +178,15 @@ CurveOrder curve_order(const WeightedPoints& points, Threads threads) {
   return order;
 }
 
-std::vector<std::uint32_t> insertion_order(std::size_t count) {
+InsertionOrder insertion_order(std::size_t count) {
   // Rounds from the last: of those left, each site stays for an earlier round with chance 1/8.
   constexpr std::size_t kSmallestRound = 64;
-  std::vector<std::vector<std::uint32_t>> rounds(1);
+  std::vector<InsertionOrder> rounds(1);
   rounds[0].resize(count);
   for (std::uint32_t i = 0; i < count; ++i) rounds[0][i] = i;
   while (rounds.back().size() > kSmallestRound) {
-    std::vector<std::uint32_t> earlier;
-    std::vector<std::uint32_t>& latest = rounds.back();
+    InsertionOrder earlier;
+    InsertionOrder& latest = rounds.back();
     std::size_t kept = 0;
     for (const std::uint32_t site : latest) {
       if (scrambled(site + (std::uint64_t{rounds.size()} << 32U)) % 8 == 0) {
@@ -199,7 +199,7 @@ std::vector<std::uint32_t> insertion_order(std::size_t count) {
     if (earlier.empty()) break;
     rounds.push_back(std::move(earlier));
   }
-  std::vector<std::uint32_t> order;
+  InsertionOrder order;
   order.reserve(count);
   for (std::size_t round = rounds.size(); round-- > 0;) {
     order.insert(order.end(), rounds[round].begin(), rounds[round].end());

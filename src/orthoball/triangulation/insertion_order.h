@@ -8,6 +8,7 @@
 #include "orthoball/ids.h"
 #include "orthoball/parallel.h"
 #include "orthoball/points/weighted_points.h"
+#include "orthoball/raw_vector.h"
 #include "orthoball/triangulation/regular_triangulation.h"
 
 namespace orthoball {
@@ -25,10 +26,13 @@ struct CurveOrder {
 template <int D>
 [[nodiscard]] CurveOrder curve_order(const WeightedPoints& points, Threads threads = Threads(1));
 
+/// [i]: the i-th site.
+using InsertionOrder = BlockVector<std::uint32_t>;
+
 /// The order in which sites numbered along a curve are inserted: random rounds, each about seven
 /// times the one before, and within a round along the curve. So every site finds the triangulation
 /// of a sample of all, and the place of its predecessor nearby. Seeded by the number alone.
 /// @cite amenta_choi_rote_2003
-[[nodiscard]] std::vector<std::uint32_t> insertion_order(std::size_t count);
+[[nodiscard]] InsertionOrder insertion_order(std::size_t count);
 
 }  // namespace orthoball

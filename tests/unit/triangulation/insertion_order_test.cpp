@@ -141,7 +141,7 @@ TEST(CurveOrder, TakesCoordinatesOfAnySize) {
 
 TEST(InsertionOrder, HasEverySiteOnceInRoundsAlongTheCurve) {
   for (const std::size_t count : {0U, 1U, 2U, 63U, 64U, 65U, 66U, 1000U, 100000U}) {
-    std::vector<std::uint32_t> order = insertion_order(count);
+    InsertionOrder order = insertion_order(count);
     EXPECT_EQ(order, insertion_order(count));
     ASSERT_EQ(order.size(), count);
     std::size_t rounds = count == 0 ? 0 : 1;
@@ -155,7 +155,7 @@ TEST(InsertionOrder, HasEverySiteOnceInRoundsAlongTheCurve) {
 }
 
 TEST(InsertionOrder, KeepsMostSitesForTheLastRound) {
-  const std::vector<std::uint32_t> order = insertion_order(100000);
+  const InsertionOrder order = insertion_order(100000);
   std::size_t last = 1;
   while (order[order.size() - last - 1] < order[order.size() - last]) ++last;
   EXPECT_NEAR(static_cast<double>(last), 87500, 1000);
