@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -18,29 +20,68 @@ struct KeyedRow {
   std::uint32_t row;
 };
 
-/// Sorts by key, ascending and stably: least significant digits first, digits on which all keys
-/// agree left out. O(n) time, O(n) extra memory.
-inline void radix_sort(RawVector<KeyedRow>& rows) {
-  constexpr unsigned kDigitBits = 11;
-  constexpr std::size_t kDigits = 6;  // of 11 bits in 64
-  constexpr std::size_t kValues = std::size_t{1} << kDigitBits;
-  const auto digit = [](std::uint64_t key, std::size_t place) {
-    return static_cast<std::size_t>(key >> (kDigitBits * place)) & (kValues - 1);
-  };
+namespace radix_sort_detail {
 
-  std::vector<std::array<std::size_t, kValues>> counts(kDigits);
-  for (const KeyedRow& row : rows) {
-    for (std::size_t place = 0; place < kDigits; ++place) ++counts[place][digit(row.key, place)];
+inline constexpr unsigned kDigitBits = 11;
+inline constexpr std::size_t kDigits = 3;  // sorted by at a time
+
+// Sorts a few by inserting one after the other.
+inline void insertion_sort(std::span<KeyedRow> rows) {
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const KeyedRow row = rows[i];
+    std::size_t to = i;
+    for (; to > 0 && row.key < rows[to - 1].key; --to) rows[to] = rows[to - 1];
+    rows[to] = row;
   }
-  RawVector<KeyedRow> sorted(rows.size());
+}
+
+// `spare` is as long as `rows`.
+inline void sort(std::span<KeyedRow> rows, std::span<KeyedRow> spare) {
+  constexpr std::size_t kFew = 24;
+  if (rows.size() <= kFew) return insertion_sort(rows);
+  std::uint64_t differences = 0;
+  for (const KeyedRow& row : rows) differences |= row.key ^ rows[0].key;
+  const auto top = static_cast<unsigned>(std::bit_width(differences));
+  constexpr unsigned kBits = kDigitBits * kDigits;
+  const unsigned low = top > kBits ? top - kBits : 0;  // bits below do not matter yet
+
+  constexpr std::size_t kValues = std::size_t{1} << kDigitBits;
+  const auto digit = [&](const KeyedRow& row, std::size_t place) {
+    return static_cast<std::size_t>(row.key >> (low + kDigitBits * place)) & (kValues - 1);
+  };
+  std::vector<std::array<std::uint32_t, kValues>> counts(kDigits);
+  for (const KeyedRow& row : rows) {
+    for (std::size_t place = 0; place < kDigits; ++place) ++counts[place][digit(row, place)];
+  }
+  std::span<KeyedRow> from = rows, to = spare;
   for (std::size_t place = 0; place < kDigits; ++place) {
     auto& next = counts[place];
-    if (rows.empty() || next[digit(rows[0].key, place)] == rows.size()) continue;
-    std::size_t first = 0;
-    for (std::size_t& count : next) first += std::exchange(count, first);
-    for (const KeyedRow& row : rows) sorted[next[digit(row.key, place)]++] = row;
-    rows.swap(sorted);
+    if (next[digit(rows[0], place)] == rows.size()) continue;
+    std::uint32_t first = 0;
+    for (std::uint32_t& count : next) first += std::exchange(count, first);
+    for (const KeyedRow& row : from) to[next[digit(row, place)]++] = row;
+    std::swap(from, to);
   }
+  if (from.data() != rows.data()) std::copy(from.begin(), from.end(), rows.begin());
+  if (low == 0) return;
+  for (std::size_t begin = 0; begin < rows.size();) {
+    std::size_t end = begin + 1;
+    while (end < rows.size() && rows[end].key >> low == rows[begin].key >> low) ++end;
+    if (end - begin > 1) {
+      sort(rows.subspan(begin, end - begin), spare.subspan(begin, end - begin));
+    }
+    begin = end;
+  }
+}
+
+}  // namespace radix_sort_detail
+
+/// Sorts fewer than 2^32 rows by key, ascending and stably: by the 33 highest bits in which keys
+/// differ, least significant digits first, then runs of those that agree in these likewise. O(n)
+/// time, O(n) extra memory.
+inline void radix_sort(RawVector<KeyedRow>& rows) {
+  RawVector<KeyedRow> spare(rows.size());
+  radix_sort_detail::sort(rows, spare);
 }
 
 /// A 64-bit key that orders doubles as < does; -0 comes before 0. Not for NaN.

@@ -2,8 +2,8 @@
 //
 // The curve's index of a point is read off its coordinates one bit of each at a time. The state is
 // how the small cube at hand is turned: the corner where the curve enters it and the axis along
-// which it leaves. Both follow from Gray codes; a table of all states, made at compile time, gives
-// the digit of the index and the next state at one look-up a level.
+// which it leaves. Both follow from Gray codes; tables of all states, made at compile time, give
+// the digit of the index and the next state at one look-up for one level, or for several.
 #include "orthoball/triangulation/insertion_order.h"
 
 #include <algorithm>
@@ -23,56 +23,70 @@ constexpr unsigned turned_left(unsigned bits, unsigned by) {
   return ((bits << by) | (bits >> (D - by))) & ((1U << D) - 1);
 }
 
-template <unsigned D>
-struct CurveTable {
-  struct Step {
-    std::uint8_t digit;
-    std::uint8_t next;  // state
-  };
-  // [state * 2^D + one bit of each coordinate]; state = entry corner * D + exit axis
-  std::array<Step, (std::size_t{1} << D) * D*(1U << D)> steps{};
-
-  constexpr CurveTable() {
-    for (unsigned entry = 0; entry < 1U << D; ++entry) {
-      for (unsigned axis = 0; axis < D; ++axis) {
-        for (unsigned bits = 0; bits < 1U << D; ++bits) {
-          steps[(entry * D + axis) * (1U << D) + bits] = step(entry, axis, bits);
-        }
-      }
-    }
-  }
-
- private:
-  static constexpr unsigned gray(unsigned i) { return i ^ (i >> 1U); }
-
-  static constexpr Step step(unsigned entry, unsigned axis, unsigned bits) {
-    // In the frame of the cube, the curve enters at 0 and leaves along the highest axis.
-    const unsigned local = turned_left<D>(bits ^ entry, D - (axis + 1) % D);
-    unsigned digit = local;
-    for (unsigned shift = 1; shift < D; ++shift) digit ^= local >> shift;
-    const unsigned before = digit == 0 ? 0 : gray(2 * ((digit - 1) / 2));
-    const unsigned entry_next = entry ^ turned_left<D>(before, axis + 1);
-    const unsigned changes = digit == 0 ? 0 : digit % 2 == 0 ? digit - 1 : digit;
-    unsigned ones = 0;  // trailing ones of `changes`: the axis along which the small curve runs
-    while ((changes >> ones & 1U) != 0) ++ones;
-    const unsigned axis_next = (axis + ones % D + 1) % D;
-    return {static_cast<std::uint8_t>(digit),
-            static_cast<std::uint8_t>(entry_next * D + axis_next)};
-  }
+// What one or more levels of the curve add to the index.
+struct CurveStep {
+  std::uint8_t digits;
+  std::uint8_t next;  // state
 };
+
+// The state is entry corner * D + exit axis. Bit i of `bits` is that of coordinate i.
+template <unsigned D>
+constexpr CurveStep one_level(unsigned state, unsigned bits) {
+  const unsigned entry = state / D, axis = state % D;
+  const auto gray = [](unsigned i) { return i ^ (i >> 1U); };
+  // In the frame of the cube, the curve enters at 0 and leaves along the highest axis.
+  const unsigned local = turned_left<D>(bits ^ entry, D - (axis + 1) % D);
+  unsigned digit = local;
+  for (unsigned shift = 1; shift < D; ++shift) digit ^= local >> shift;
+  const unsigned before = digit == 0 ? 0 : gray(2 * ((digit - 1) / 2));
+  const unsigned entry_next = entry ^ turned_left<D>(before, axis + 1);
+  const unsigned changes = digit == 0 ? 0 : digit % 2 == 0 ? digit - 1 : digit;
+  unsigned ones = 0;  // trailing ones of `changes`: the axis along which the small curve runs
+  while ((changes >> ones & 1U) != 0) ++ones;
+  const unsigned axis_next = (axis + ones % D + 1) % D;
+  return {static_cast<std::uint8_t>(digit), static_cast<std::uint8_t>(entry_next * D + axis_next)};
+}
+
+// Levels that are looked up together, as many as leave a table in the nearest cache.
+template <unsigned D>
+constexpr unsigned kLevelsAtOnce = D == 2 ? 4 : 2;
+
+// [state << (D * Levels) | bits]: Levels bits of each coordinate, those of the first lowest.
+template <unsigned D, unsigned Levels>
+constexpr auto kCurveSteps = [] {
+  std::array<CurveStep, (D << D) << (D * Levels)> steps{};
+  for (unsigned at = 0; at < steps.size(); ++at) {
+    unsigned state = at >> (D * Levels), digits = 0;
+    for (unsigned level = Levels; level-- > 0;) {
+      unsigned bits = 0;
+      for (unsigned axis = 0; axis < D; ++axis)
+        bits |= (at >> (Levels * axis + level) & 1U) << axis;
+      const CurveStep step = one_level<D>(state, bits);
+      digits = digits << D | step.digits;
+      state = step.next;
+    }
+    steps[at] = {static_cast<std::uint8_t>(digits), static_cast<std::uint8_t>(state)};
+  }
+  return steps;
+}();
 
 template <int D>
 std::uint64_t curve_index(const std::array<std::uint32_t, std::size_t{D}>& cube, unsigned levels) {
-  static constexpr CurveTable<unsigned{D}> kTable;
   std::uint64_t index = 0;
-  std::size_t state = 0;
-  for (unsigned level = levels; level-- > 0;) {
-    std::size_t bits = 0;
-    for (std::size_t axis = 0; axis < D; ++axis) bits |= ((cube[axis] >> level) & 1U) << axis;
-    const auto step = kTable.steps[(state << D) + bits];
-    index = (index << D) | step.digit;
+  unsigned state = 0, level = levels;
+  const auto look_up = [&]<unsigned Levels>() {
+    level -= Levels;
+    unsigned bits = 0;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      bits |= (cube[axis] >> level & ((1U << Levels) - 1)) << (Levels * axis);
+    }
+    const CurveStep step = kCurveSteps<unsigned{D}, Levels>[state << (D * Levels) | bits];
+    index = index << (D * Levels) | step.digits;
     state = step.next;
-  }
+  };
+  constexpr unsigned kAtOnce = kLevelsAtOnce<unsigned{D}>;
+  while (level % kAtOnce != 0) look_up.template operator()<1>();
+  while (level != 0) look_up.template operator()<kAtOnce>();
   return index;
 }
 
