@@ -165,7 +165,7 @@ class CanonicalOrder {
   CellArray<A> cells() {
     find_places();
     redirect();
-    move();
+    move(0, static_cast<std::uint32_t>(cells_.size()), threads_);
     cells_.resize(begins_.back());
     maps_.resize(cells_.size());
     parallel_parts(threads_, vertices(), parts(),
@@ -253,21 +253,41 @@ class CanonicalOrder {
     }
   }
 
-  // Moves every kept cell to its place: a cell in hand is put down where it belongs and what was
-  // there taken up, until that is a gap. Several hands work in turn, so that they wait for memory
-  // together; any gap ends the way of any hand.
-  void move() {
+  // Moves the cells of slots begin..end - 1, which are those of these places, to their places; each
+  // half by itself once the halves have exchanged what does not belong to them. That is little, for
+  // most cells are near their places.
+  void move(std::uint32_t begin, std::uint32_t end, Threads threads) {
+    if (threads.count() == 1) return move_alone(begin, end);
+    const unsigned below = threads.count() / 2;
+    const auto middle =
+        static_cast<std::uint32_t>(begin + std::uint64_t{end - begin} * below / threads.count());
+    std::uint32_t low = begin, high = middle;
+    while (true) {
+      while (high < end && carried_place(cells_[high]) >= middle) ++high;  // or nowhere
+      if (high == end) break;
+      while (carried_place(cells_[low]) < middle) ++low;
+      std::swap(cells_[low++], cells_[high++]);
+    }
+    parallel_for(Threads(2), 2, [&](std::size_t half) {
+      if (half == 0) return move(begin, middle, Threads(below));
+      move(middle, end, Threads(threads.count() - below));
+    });
+  }
+
+  // A cell in hand is put down where it belongs and what was there taken up, until that is a gap.
+  // Several hands work in turn, so that they wait for memory together; any gap ends the way of any
+  // hand.
+  void move_alone(std::uint32_t begin, std::uint32_t end) {
     struct Hand {
       CellRecord<A> cell;
       std::uint32_t place = kNowhere;
     };
     constexpr std::size_t kHands = 24;
     std::array<Hand, kHands> hands;
-    std::uint32_t start = 0;
-    const auto size = static_cast<std::uint32_t>(cells_.size());
+    std::uint32_t start = begin;
     // The next cell that is not where it belongs; leaves a gap there.
     const auto take_up = [&](Hand& hand) {
-      for (; start < size; ++start) {
+      for (; start < end; ++start) {
         const std::uint32_t place = carried_place(cells_[start]);
         if (place == kNowhere || place == start) continue;
         hand = {cells_[start], place};

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "orthoball/triangulation/canonical_cells.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <span>
+#include <vector>
+
+#include "generators/point_families.h"
+#include "orthoball/triangulation/build.h"
+
+namespace orthoball {
+namespace {
+
+using generators::PointFamily;
+using generators::points_of;
+
+// The cells of a triangulation with vertex v called v * stride, in random slots with dead ones
+// between, a random corner first; hull facets lead to a dead cell.
+template <int A>
+CellStore<A> scattered(std::span<const CellRecord<A>> cells, std::uint32_t vertices,
+                       std::uint32_t stride, std::mt19937& random) {
+  CellStore<A> store(std::size_t{vertices} * stride, 0);
+  std::vector<std::uint32_t> slots(2 * cells.size() + 1);
+  std::iota(slots.begin(), slots.end(), 0U);
+  std::shuffle(slots.begin(), slots.end(), random);
+  (void)store.add(static_cast<std::uint32_t>(slots.size()));
+  std::vector<std::array<std::uint32_t, 4>> corner_of(cells.size());  // [cell][corner before]
+  for (auto& turned : corner_of) {
+    turned = {0, 1, 2, 3};
+    std::rotate(turned.begin(), turned.begin() + random() % 3, turned.begin() + 3);  // even
+  }
+  const std::uint32_t dead = slots.back();
+  for (const std::uint32_t slot : slots) {
+    store[slot] = {};
+    store.kill(slot);
+  }
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    CellRecord<A>& record = store[slots[cell]];
+    for (std::size_t corner = 0; corner <= A; ++corner) {
+      const std::uint32_t to = corner_of[cell][corner];
+      const std::uint32_t facet = cells[cell].neighbours[corner];
+      record.corners[to] = cells[cell].corners[corner] * stride;
+      record.neighbours[to] =
+          facet == kOutside ? 4 * dead : 4 * slots[facet / 4] + corner_of[facet / 4][facet % 4];
+    }
+  }
+  return store;
+}
+
+// Some of which have many cells at one vertex.
+template <int D>
+void check(const WeightedPoints& points) {
+  const RegularTriangulation<D> triangulation = regular_triangulation<D>(points);
+  const auto cells = triangulation.template cells<D>();
+  const auto vertices = static_cast<std::uint32_t>(triangulation.vertex_count());
+  std::mt19937 random(1);
+  // With the last, corners of a cell differ by more than fits one key.
+  for (const std::uint32_t stride : {1U, 7U, (1U << 22U) / vertices}) {
+    const std::vector<bool> none_hidden(std::size_t{vertices} * stride, false);
+    for (const unsigned threads : {1U, 3U}) {
+      const CellArray<D> found = canonical_cells<D>(scattered<D>(cells, vertices, stride, random),
+                                                    none_hidden, true, Threads(threads));
+      ASSERT_EQ(found.size(), cells.size());
+      for (std::size_t cell = 0; cell < found.size(); ++cell) {
+        for (std::size_t corner = 0; corner <= D; ++corner) {
+          ASSERT_EQ(found[cell].corners[corner], cells[cell].corners[corner] * stride);
+          ASSERT_EQ(found[cell].neighbours[corner], cells[cell].neighbours[corner]);
+        }
+      }
+    }
+  }
+}
+
+TEST(CanonicalCells, DoNotDependOnSlotsOrFirstCorners) {
+  check<2>(points_of(PointFamily::uniform, 2, 300, 1));
+  check<3>(points_of(PointFamily::uniform, 3, 300, 2));
+}
+
+TEST(CanonicalCells, AreTheSameOnSeveralThreads) {
+  check<2>(points_of(PointFamily::uniform, 2, 40'000, 1));  // enough for them
+  check<3>(points_of(PointFamily::uniform, 3, 12'000, 2));
+}
+
+TEST(CanonicalCells, AreOrderedWhereManyShareTheirFirstCorner) {
+  // The least point has an edge to every other.
+  std::vector<double> coordinates;
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 400; ++i) {
+    std::array<double, 3> x{normal(random), normal(random), normal(random)};
+    const double length = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+    for (const double one : x) coordinates.push_back(one / length);
+  }
+  coordinates.insert(coordinates.end(), {0.0, 0.0, 0.0});
+  check<3>({3, coordinates, WeightKind::none, {}});
+}
+
+}  // namespace
+}  // namespace orthoball
