@@ -60,6 +60,19 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
   return std::cout ? kDone : failed(kCouldNot, "standard output: could not be written");
 }
 
+// An empty value, mostly of a shell variable that is not set, is not the same as none.
+void refuse_empty_values(CLI::App& command) {
+  const CLI::Validator not_empty(
+      [](const std::string& value) -> std::string {
+        return value.empty() ? "the value is empty; give one, or leave the option out" : "";
+      },
+      "");
+  for (CLI::Option* option : command.get_options()) {
+    const bool is_flag = option->get_expected_max() == 0;
+    if (!is_flag) option->transform(not_empty);  // before the option's own checks
+  }
+}
+
 void add_commands(CLI::App& app) {
   app.name("orthoball");
   app.set_version_flag("--version", std::string("orthoball ") + orthoball::kVersion,
@@ -74,6 +87,7 @@ void add_commands(CLI::App& app) {
        {add_summary_command, add_signatures_command, add_shape_command, add_filter_command}) {
     add(app);
   }
+  for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command);
   app.footer(
       "Everything is computed exactly; printed numbers are rounded once. Lengths are in the unit\n"
       "of the input (ångström for molecules), alpha2 and areas in its square.\n"

@@ -98,6 +98,24 @@ class ExitStatuses(InAFolder):
                 self.refused(2, *arguments)
         self.assertEqual(list(self.folder.iterdir()), [])
 
+    def test_an_empty_value_is_not_the_same_as_none(self):
+        commands = ["summary", "signatures", "shape", "filter"]
+        options = {"--alpha2": commands, "--alpha": commands, "--inverse-alpha": commands,
+                   "--index": commands, "--columns": commands, "--radius-column": commands,
+                   "--weight-column": commands, "--radii": commands, "--default-radius": commands,
+                   "--model": commands, "--altloc": commands, "--chain": commands,
+                   "--waters": commands, "--input-format": commands, "--dimension": commands,
+                   "--threads": commands, "--memory-limit": commands, "--progress": commands,
+                   "--output": commands, "--format": commands, "--samples": ["signatures"],
+                   "--plot": ["signatures"], "--plot-axis": ["signatures"],
+                   "--plot-range": ["signatures"]}
+        for option, where in options.items():
+            for command in where:
+                with self.subTest(option=option, command=command):
+                    self.assertIn(f"{option}: the value is empty",
+                                  self.refused(2, command, C60, option, ""))
+        self.assertIn("INPUT: the value is empty", self.refused(2, "summary", ""))
+
     def test_an_unknown_command_is_named(self):
         self.assertIn('"no_such_command"', self.refused(2, "no_such_command", C60))
 
