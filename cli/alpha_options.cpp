@@ -6,6 +6,7 @@
 #include <charconv>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <variant>
 
 #include "cli/alpha_number.h"
@@ -36,15 +37,15 @@ void for_each(const std::string& list, const std::function<void(const std::strin
   for (const std::string& text : CLI::detail::split(list, ',')) use(text);
 }
 
-std::uint32_t index_from_text(const std::string& text, std::uint32_t size) {
+// @param size  of the spectrum; empty where it is not known yet.
+std::uint32_t index_from_text(const std::string& text, std::optional<std::uint32_t> size) {
   std::uint32_t index = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, index);
-  if (error != std::errc() || stop != end || index > size) {
-    throw UsageError(
-        fmt::format("--index: \"{}\" is not an index of the spectrum; it must be an "
-                    "integer from 0 to {}",
-                    text.substr(0, 40), size));
+  if (error != std::errc() || stop != end || (size && index > *size)) {
+    throw UsageError(fmt::format(
+        "--index: \"{}\" is not an index of the spectrum; it must be a whole number from 0{}",
+        text.substr(0, 40), size ? fmt::format(" to {}", *size) : " on"));
   }
   return index;
 }
@@ -126,9 +127,8 @@ void check(const AlphaOptions& options, bool takes_list) {
   for_each(options.inverse_alpha, [](const std::string& text) {
     (void)alpha2_from_inverse_alpha("--inverse-alpha", text);
   });
-  for_each(options.index, [](const std::string& text) {
-    (void)index_from_text(text, std::numeric_limits<std::uint32_t>::max());
-  });
+  for_each(options.index,
+           [](const std::string& text) { (void)index_from_text(text, std::nullopt); });
 }
 
 std::vector<ChosenAlpha> chosen_alphas(const AlphaOptions& options, const Loaded& input) {

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <new>
 #include <string_view>
@@ -77,6 +79,7 @@ void add_molecule_options(CLI::App& command, InputOptions& options) {
       .add_option("--model", options.read.molecule.model,
                   "the model with this number (default: the first)")
       ->type_name("N")
+      ->check(whole_number(0, std::numeric_limits<int>::max()))
       ->group(group);
   command
       .add_option("--altloc", options.read.molecule.altloc,
@@ -123,6 +126,17 @@ auto within_memory(const std::string& path, const Progress& progress, const Work
 
 }  // namespace
 
+CLI::Validator whole_number(std::uint32_t least, std::uint32_t most) {
+  const auto check = [=](const std::string& text) -> std::string {
+    std::uint32_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    if (error == std::errc() && stop == end && number >= least && number <= most) return {};
+    return fmt::format("\"{}\" is no whole number from {} to {}", text.substr(0, 40), least, most);
+  };
+  return CLI::Validator(check, "");
+}
+
 void add_input_options(CLI::App& command, InputOptions& options) {
   command
       .add_option("INPUT", options.path,
@@ -155,7 +169,7 @@ void add_input_options(CLI::App& command, InputOptions& options) {
       .add_option("--threads", options.threads,
                   "at most N threads (default: one for each core);\nresults do not depend on it")
       ->type_name("N")
-      ->check(CLI::Range(1U, kMostThreads).description(""))
+      ->check(whole_number(1, kMostThreads))
       ->group(group);
   command
       .add_option("--memory-limit", options.memory_limit,
@@ -169,10 +183,12 @@ void add_input_options(CLI::App& command, InputOptions& options) {
   command.add_flag("--quiet", options.quiet, "no notes, warnings or progress on standard error")
       ->group("Messages");
   command
-      .add_option("--progress", options.progress,
-                  "stages on standard error (default auto: on a terminal)")
+      .add_option_function<std::string>(
+          "--progress",
+          [&options](const std::string& mode) { options.progress = kProgressModes.at(mode); },
+          "stages on standard error (default auto: on a terminal)")
       ->type_name("auto|never|always")
-      ->transform(CLI::CheckedTransformer(kProgressModes).description(""))
+      ->check(CLI::IsMember({"auto", "never", "always"}).description(""))
       ->group("Messages");
 }
 

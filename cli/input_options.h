@@ -25,6 +25,9 @@ struct InputOptions {
   bool no_limit = false;
 };
 
+/// Refuses a value that is no whole number from `least` to `most`, in words.
+[[nodiscard]] CLI::Validator whole_number(std::uint32_t least, std::uint32_t most);
+
 /// Declares INPUT and these options on a command.
 void add_input_options(CLI::App& command, InputOptions& options);
 

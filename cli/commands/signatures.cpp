@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -237,7 +239,7 @@ void add_signatures_command(CLI::App& app) {
       ->add_option("--samples", options->samples,
                    "N indices spread evenly over the spectrum, with both ends")
       ->type_name("N")
-      ->check(CLI::PositiveNumber.description(""))
+      ->check(whole_number(1, std::numeric_limits<std::uint32_t>::max()))
       ->group("Alpha");
   add_output_options(*command, *options);
   add_input_options(*command, options->input);

@@ -116,6 +116,23 @@ class ExitStatuses(InAFolder):
                                   self.refused(2, command, C60, option, ""))
         self.assertIn("INPUT: the value is empty", self.refused(2, "summary", ""))
 
+    def test_values_that_an_option_does_not_take_are_refused_in_words(self):
+        for option, value, words in [
+            ("--samples", "0", '"0" is no whole number from 1 to 4294967295'),
+            ("--samples", "1.5", '"1.5" is no whole number from 1'),
+            ("--model", "abc", '"abc" is no whole number from 0'),
+            ("--model", "-1", '"-1" is no whole number from 0'),
+            ("--threads", "some", '"some" is no whole number from 1 to 1024'),
+            ("--progress", "foo", "foo not in {auto,never,always}"),
+            ("--progress", "2", "2 not in {auto,never,always}"),
+            ("--index", "-1", '"-1" is not an index of the spectrum; it must be a whole number from 0 on'),
+            ("--index", "100000", '"100000" is not an index of the spectrum; it must be a whole number '
+                                  "from 0 to "),
+        ]:
+            with self.subTest(option=option, value=value):
+                self.assertIn(f"{option}: {words}",
+                              self.refused(2, "signatures", C60, option, value))
+
     def test_an_unknown_command_is_named(self):
         self.assertIn('"no_such_command"', self.refused(2, "no_such_command", C60))
 
