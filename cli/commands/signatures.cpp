@@ -104,7 +104,8 @@ orthoball::PlotOptions plot_options(const SignaturesOptions& options, const Load
   plot.title = options.input.path == "-"
                    ? "standard input"
                    : options.input.path.substr(options.input.path.find_last_of('/') + 1);
-  plot.subtitle = fmt::format("{} sites, weights: {}", input.shapes.points().size(),
+  const std::size_t sites = input.shapes.points().size();
+  plot.subtitle = fmt::format("{} site{}, weights: {}", sites, sites == 1 ? "" : "s",
                               input.shapes.points().weight_kind() == orthoball::WeightKind::none
                                   ? "none"
                                   : input.reading.radii);
@@ -222,7 +223,8 @@ void add_output_options(CLI::App& command, SignaturesOptions& options) {
       ->group(group);
   command
       .add_option("--plot-range", options.plot_range,
-                  "ends of that axis (default: where the topology changes)")
+                  "ends of that axis (default: every change of the topology, but at most 15\n"
+                  "times the stretch in which 4/5 of the triangles or tetrahedra enter)")
       ->type_name("FROM,TO")
       ->group(group);
 }

@@ -20,6 +20,7 @@ import sys
 import tempfile
 import time
 import unittest
+import xml.etree.ElementTree
 import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -255,6 +256,17 @@ class Files(InAFolder):
         path.write_text(pathlib.Path(TWO_BALLS).read_text())
         summary = json.loads(self.done("summary", path, "--json").stdout)
         self.assertEqual(summary["input"]["file"], str(path))
+
+    def test_a_name_that_is_not_utf8_gives_xml_all_the_same(self):
+        path = os.path.join(os.fsencode(self.folder), b"bad\xff <name>.csv")
+        with open(path, "wb") as file:
+            file.write(pathlib.Path(EIGHT).read_bytes())
+        plot = self.folder / "plot.svg"
+        result = subprocess.run([PROGRAM, "signatures", path, "-o", os.devnull, "--plot", plot],
+                                check=False)
+        self.assertEqual(result.returncode, 0)
+        title = xml.etree.ElementTree.parse(plot).getroot()[0]
+        self.assertEqual(title.text, "Signatures of bad\ufffd <name>.csv")
 
 
 class Streams(InAFolder):

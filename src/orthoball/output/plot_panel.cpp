@@ -7,11 +7,14 @@
 #include <cmath>
 #include <utility>
 
+#include "orthoball/output/plot_text.h"
+
 namespace orthoball {
 namespace {
 
 constexpr double kMostOnLinearScale = 50.0;  // counts above are shown logarithmically
 constexpr double kTitleHeight = 16.0;        // of the title above the frame
+constexpr double kFontSize = 10.5;           // of numbers
 constexpr std::string_view kMuted = "#5b6570", kGrid = "#e3e7eb", kAxis = "#8a949e";
 
 std::string pixel(double x) { return fmt::format("{}", std::round(100 * x) / 100 + 0.0); }
@@ -25,7 +28,8 @@ double tick_step(double low, double high, int wanted) {
 }
 
 // Maps values to heights in a panel and knows the ticks. Counts that are many are mapped by the
-// logarithm of 1 + count, so that 0 has a place; large and small measures by a power of ten.
+// logarithm of 1 + 2 count, so that 0 has a place, and room for its number below that of 1; large
+// and small measures by a power of ten.
 class ValueAxis {
  public:
   explicit ValueAxis(const PlotPanel& panel) {
@@ -40,7 +44,7 @@ class ValueAxis {
     if (is_logarithmic_) {
       for (double tick = 1.0; tick <= high_; tick *= 10.0) ticks_.push_back(tick);
       ticks_.insert(ticks_.begin(), 0.0);
-      high_ = std::exp(std::log1p(high_) * 1.06) - 1.0;
+      top_ = 1.06 * logarithm(high_);
       return;
     }
     const int exponent = static_cast<int>(std::floor(std::log10(std::max(high_, -low_))));
@@ -56,8 +60,7 @@ class ValueAxis {
   // 0 at the bottom of the panel, 1 at its top.
   [[nodiscard]] double height(double value) const {
     const double clamped = std::clamp(value, low_, high_);
-    return is_logarithmic_ ? std::log1p(clamped) / std::log1p(high_)
-                           : (clamped - low_) / (high_ - low_);
+    return is_logarithmic_ ? logarithm(clamped) / top_ : (clamped - low_) / (high_ - low_);
   }
   [[nodiscard]] const std::vector<double>& ticks() const { return ticks_; }
   [[nodiscard]] std::string text(double tick) const {
@@ -73,7 +76,10 @@ class ValueAxis {
   [[nodiscard]] bool is_logarithmic() const { return is_logarithmic_; }
 
  private:
+  static double logarithm(double count) { return std::log1p(2.0 * count); }
+
   double low_ = 0.0, high_ = 0.0, step_ = 1.0;
+  double top_ = 1.0;  // logarithm at the top of the panel
   int exponent_ = 0;
   bool is_logarithmic_ = false;
   std::vector<double> ticks_;
@@ -91,6 +97,28 @@ void write_label(ByteSink& sink, double x, double y, std::string_view anchor,
                         pixel(x), pixel(y), anchor, kMuted, text));
 }
 
+double step_of(const std::vector<double>& ticks) {
+  return ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
+}
+
+// As many ticks of the horizontal axis as have room for their numbers.
+std::vector<double> ticks_with_room(const PlotFrame& frame) {
+  constexpr int kMost = 7;
+  constexpr double kBetweenNumbers = 9.0;
+  std::vector<double> ticks;
+  for (int wanted = kMost; wanted > 0; --wanted) {
+    ticks = tick_values(frame.from, frame.to, wanted);
+    const double step = step_of(ticks);
+    double widest = 0.0;
+    for (const double tick : ticks) {
+      widest = std::max(widest, text_width(tick_text(tick, step), kFontSize));
+    }
+    const double room = step / (frame.to - frame.from) * frame.width - kBetweenNumbers;
+    if (widest <= room && (step >= 1.0 || !frame.is_whole)) break;
+  }
+  return ticks;
+}
+
 void write_axes(ByteSink& sink, const PlotFrame& frame, const ValueAxis& axis) {
   const double bottom = frame.top + frame.height, right = frame.left + frame.width;
   for (const double tick : axis.ticks()) {
@@ -98,8 +126,8 @@ void write_axes(ByteSink& sink, const PlotFrame& frame, const ValueAxis& axis) {
     write_line(sink, frame.left, y, right, y, kGrid);
     write_label(sink, frame.left - 7, y + 3.5, "end", axis.text(tick));
   }
-  const std::vector<double> ticks = tick_values(frame.from, frame.to, 7);
-  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
+  const std::vector<double> ticks = ticks_with_room(frame);
+  const double step = step_of(ticks);
   for (const double tick : ticks) {
     const double x = frame.left + (tick - frame.from) / (frame.to - frame.from) * frame.width;
     write_line(sink, x, frame.top, x, bottom, kGrid);
@@ -157,29 +185,6 @@ std::string tick_text(double value, double step) {
   const std::size_t point = std::min(text.find('.'), text.size());
   for (std::size_t i = point; i > 3; i -= 3) text.insert(i - 3, 1, ',');
   return value < 0.0 ? fmt::format("\u2212{}", text) : text;
-}
-
-std::string xml_text(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return escaped;
 }
 
 void write_panel(ByteSink& sink, const PlotPanel& panel, const PlotFrame& frame) {

@@ -16,9 +16,6 @@ namespace orthoball {
 /// A tick's number: as many decimals as a step of `step` needs, commas between thousands.
 [[nodiscard]] std::string tick_text(double value, double step);
 
-/// `text` with &, <, > and quotes written as entities.
-[[nodiscard]] std::string xml_text(const std::string& text);
-
 /// One curve of a panel.
 struct PlotCurve {
   const StepCurve* curve;
@@ -38,7 +35,8 @@ struct PlotPanel {
 struct PlotFrame {
   double left, top, width, height;
   double from, to;   ///< values at the left and right edge
-  bool has_numbers;  ///< numbers below the horizontal axis
+  bool has_numbers;  ///< below the horizontal axis
+  bool is_whole;     ///< that axis has ticks at whole numbers only
 };
 
 /// Draws frame, grid, axes, curves and legend.

@@ -11,6 +11,7 @@
 #include "orthoball/filtration/alpha.h"
 #include "orthoball/filtration/filter_steps.h"
 #include "orthoball/output/plot_panel.h"
+#include "orthoball/output/plot_text.h"
 #include "orthoball/topology/betti.h"
 
 namespace orthoball {
@@ -21,6 +22,7 @@ constexpr double kLeft = 62.0, kTop = 98.0, kBetweenColumns = 76.0, kBetweenRows
 constexpr double kShare = 0.8;        // of the top simplices, for the automatic range
 constexpr double kReach = 12.0;       // the largest multiple of what they span that is shown
 constexpr double kLetterWidth = 7.0;  // of a mark's letter; pixels
+constexpr double kBoldness = 1.1;     // bold letters are so much wider
 
 const std::array<std::string, 3> kBettiTitles{"Components, betti 0", "Tunnels, betti 1",
                                               "Voids, betti 2"};
@@ -74,6 +76,12 @@ void write_text(ByteSink& sink, double x, double y, const std::string& attribute
                 const std::string& text) {
   sink.text(fmt::format("<text x=\"{:.6g}\" y=\"{:.6g}\" {}>{}</text>\n", x, y, attributes,
                         xml_text(text)));
+}
+
+// A position in the words of the legend: an index is exact.
+std::string position_text(PlotAxis axis, double position) {
+  if (axis == PlotAxis::index) return fmt::format("{:.0f}", position);
+  return std::isfinite(position) ? fmt::format("{:.4g}", position) : "beyond double range";
 }
 
 // The letters of marks that lie close together, at the first of them.
@@ -166,10 +174,17 @@ void SignaturePlot<D>::write(ByteSink& sink) const {
   std::vector<double> lines;
   for (const PlotMark& mark : options_.marks) {
     const double at = position(mark.index, mark.alpha2);
-    if (!(at >= from_ && at <= to_) || explanations.size() == 26) continue;
+    const auto explain = [&](std::string_view sign) {
+      explanations.push_back(
+          fmt::format("{} {} ({})", sign, mark.name, position_text(options_.axis, at)));
+    };
+    if (!(at >= from_ && at <= to_) || lines.size() == 26) {
+      explain(at < from_ ? "\u2190" : "\u2192");  // arrows to where it lies
+      continue;
+    }
     const double x = (at - from_) / (to_ - from_) * kPanelWidth;
-    const std::string letter(1, static_cast<char>('A' + explanations.size()));
-    explanations.push_back(fmt::format("{} {} ({:.4g})", letter, mark.name, at));
+    const std::string letter(1, static_cast<char>('A' + lines.size()));
+    explain(letter);
     lines.push_back(x);
     if (labels.empty() ||
         x - labels.back().x >
@@ -185,10 +200,23 @@ void SignaturePlot<D>::write(ByteSink& sink) const {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
       "viewBox=\"0 0 {0} {1}\" font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" "
       "font-size=\"10.5\" fill=\"#1d2329\">\n"
-      "<title>Signatures of {2}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-      kWidth, height, xml_text(options_.title)));
-  write_text(sink, kLeft, 32, "font-size=\"17\" font-weight=\"600\"", options_.title);
-  write_text(sink, kLeft, 50, "font-size=\"11.5\" fill=\"#5b6570\"", options_.subtitle);
+      "<title>Signatures of {2}</title>\n<desc>{3}</desc>\n"
+      "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
+      kWidth, height, xml_text(options_.title), xml_text(options_.subtitle)));
+  const double right_edge = kLeft + 2 * kPanelWidth + kBetweenColumns;
+  double room = right_edge - kLeft;
+  write_text(sink, kLeft, 32, "font-size=\"17\" font-weight=\"600\"",
+             shortened(options_.title, room, 17 * kBoldness));
+  if (last_ > to_) {
+    const double behind = options_.axis == PlotAxis::index ? std::floor(to_) + 1 : to_;
+    const std::string rest =
+        fmt::format("not shown: {} to {}", position_text(options_.axis, behind),
+                    position_text(options_.axis, last_));
+    write_text(sink, right_edge, 50, "text-anchor=\"end\" font-size=\"11\" fill=\"#5b6570\"", rest);
+    room -= text_width(rest, 11) + 20;
+  }
+  write_text(sink, kLeft, 50, "font-size=\"11.5\" fill=\"#5b6570\"",
+             shortened(options_.subtitle, room, 11.5));
   for (const auto& [panels, x] :
        {std::pair(&left, kLeft), std::pair(&right, kLeft + kPanelWidth + kBetweenColumns)}) {
     for (std::size_t row = 0; row < panels->size(); ++row) {
@@ -205,7 +233,8 @@ void SignaturePlot<D>::write(ByteSink& sink) const {
       }
       sink.text("<g fill=\"none\">\n");
       write_panel(sink, (*panels)[row],
-                  {x, top, kPanelWidth, kPanelHeight, from_, to_, row + 1 == panels->size()});
+                  {x, top, kPanelWidth, kPanelHeight, from_, to_, row + 1 == panels->size(),
+                   options_.axis == PlotAxis::index});
       sink.text("</g>\n");
     }
     write_text(sink, x + kPanelWidth / 2, bottom + 36, "text-anchor=\"middle\" font-size=\"11.5\"",
@@ -215,11 +244,6 @@ void SignaturePlot<D>::write(ByteSink& sink) const {
     const std::size_t row = i / 4, column = i % 4;
     write_text(sink, kLeft + 215 * static_cast<double>(column),
                bottom + 62 + 17 * static_cast<double>(row), "fill=\"#5b6570\"", explanations[i]);
-  }
-  if (last_ > to_) {
-    write_text(sink, kLeft + 2 * kPanelWidth + kBetweenColumns, 50,
-               "text-anchor=\"end\" font-size=\"11\" fill=\"#5b6570\"",
-               fmt::format("not shown: {:.4g} to {:.4g}", to_, last_));
   }
   sink.text("</svg>\n");
   sink.flush();

@@ -26,15 +26,15 @@ struct PlotMark {
 
 /// How a plot is labelled and what part of it is shown.
 struct PlotOptions {
-  std::string title;                ///< the file
-  std::string subtitle;             ///< what was read
+  std::string title;                ///< the file; shortened where it is too long
+  std::string subtitle;             ///< what was read; shortened as well
   std::string unit;                 ///< of lengths, "Å"; empty where it is not known
   PlotAxis axis = PlotAxis::alpha;  ///< what runs from left to right
   /// Ends of the axis, in its own unit. Empty: from the first entry of the spectrum to a quarter
   /// past the last change of the topology, unless that is twelve times as far as the entry by which
   /// four fifths of the top simplices have entered: then to a quarter past that.
   std::optional<std::pair<double, double>> range;
-  std::vector<PlotMark> marks;  ///< those in the range are drawn
+  std::vector<PlotMark> marks;  ///< those in the range are drawn, the others listed below
 };
 
 /// Signatures as functions of alpha in one SVG: a panel for each Betti number, for volume, area by

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace orthoball {
 namespace {
@@ -28,16 +31,24 @@ TEST(PlotPanel, TickNumbersHaveTheDecimalsOfTheirStep) {
   EXPECT_EQ(tick_text(123.0, 1.0), "123");
 }
 
-TEST(PlotPanel, EscapesNamesForXml) {
-  EXPECT_EQ(xml_text("a<b>&\"c\"\n"), "a&lt;b&gt;&amp;&quot;c&quot; ");
-}
-
-std::string drawn(const PlotPanel& panel) {
+std::string drawn(const PlotPanel& panel,
+                  const PlotFrame& frame = {10, 20, 100, 50, 0.0, 1.0, true, false}) {
   std::ostringstream out;
   ByteSink sink(out, "0");
-  write_panel(sink, panel, {10, 20, 100, 50, 0.0, 1.0, true});
+  write_panel(sink, panel, frame);
   sink.flush();
   return out.str();
+}
+
+// The x of the numbers below the horizontal axis, and the y of those beside the vertical one.
+std::vector<double> places(const std::string& svg, const std::string& axis) {
+  const std::regex label(axis == "x" ? R"re(<text x="([-.\d]+)" y="[-.\d]+" text-anchor="middle")re"
+                                     : R"re(<text x="3" y="([-.\d]+)" text-anchor="end")re");
+  std::vector<double> found;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), label), end; at != end; ++at) {
+    found.push_back(std::stod((*at)[1]));
+  }
+  return found;
 }
 
 TEST(PlotPanel, DrawsAStepAsAHorizontalAndAVerticalLine) {
@@ -54,6 +65,38 @@ TEST(PlotPanel, CountsThatAreManyGetALogarithmicScaleWithAPlaceForZero) {
   const std::string svg = drawn({"Holes", "", true, {{&curve, "#000", ""}}});
   for (const char* const tick : {">0<", ">1<", ">10<", ">1,000<", ">10,000<", "log scale"}) {
     EXPECT_NE(svg.find(tick), std::string::npos) << tick;
+  }
+}
+
+TEST(PlotPanel, NumbersOfTheHorizontalAxisDoNotRunTogether) {
+  StepCurve curve(390.0);
+  for (const auto& [from, to] :
+       {std::pair(0.0, 430000.0), std::pair(1e9, 1e9 + 1), std::pair(0.0, 1.0)}) {
+    const std::string svg = drawn({"Holes", "", true, {{&curve, "#000", ""}}},
+                                  {10, 20, 390, 150, from, to, true, false});
+    const std::vector<double> at = places(svg, "x");
+    ASSERT_GE(at.size(), 2U) << svg;
+    const double widest = 6.0 * static_cast<double>(tick_text(to, (to - from) / 10).size());
+    for (std::size_t i = 1; i < at.size(); ++i) EXPECT_GE(at[i] - at[i - 1], widest) << from;
+  }
+}
+
+TEST(PlotPanel, AnAxisOfWholeNumbersHasNoTicksBetweenThem) {
+  StepCurve curve(390.0);
+  const std::string svg =
+      drawn({"Holes", "", true, {{&curve, "#000", ""}}}, {10, 20, 390, 150, 1.0, 2.0, true, true});
+  EXPECT_EQ(places(svg, "x"), (std::vector<double>{10, 400}));
+}
+
+TEST(PlotPanel, NumbersOfALogarithmicScaleDoNotLieOnEachOther) {
+  for (const double high : {100.0, 1e5, 1e7}) {
+    StepCurve curve(390.0);
+    curve.add(40.0, high);
+    const std::string svg = drawn({"Holes", "", true, {{&curve, "#000", ""}}},
+                                  {10, 20, 390, 150, 0.0, 1.0, false, false});
+    const std::vector<double> at = places(svg, "y");
+    ASSERT_GE(at.size(), 4U);
+    for (std::size_t i = 1; i < at.size(); ++i) EXPECT_GE(at[i - 1] - at[i], 9.0) << high;
   }
 }
 

@@ -35,18 +35,41 @@ TEST(SignaturePlot, HasAPanelForEveryBettiNumberAndMeasure) {
   EXPECT_EQ(plane.find("Length"), std::string::npos);
 }
 
-TEST(SignaturePlot, ExplainsTheLettersOfMarksInTheRangeOnly) {
+TEST(SignaturePlot, ExplainsTheLettersOfMarksAndListsThoseOutsideTheRange) {
   const PlotOptions options{.title = "a & b",
                             .subtitle = "",
                             .unit = std::string("Å"),
                             .range = std::pair(0.0, 2.0),
-                            .marks = {{"solid", 2, 1.0}, {"far", 3, 100.0}}};
+                            .marks = {{"far", 3, 100.0}, {"solid", 2, 1.0}, {"before", 1, -4.0}}};
   const std::string svg = plot(mixed_shapes(), options);
   EXPECT_NE(svg.find(">A solid (1)<"), std::string::npos);
-  EXPECT_EQ(svg.find("far"), std::string::npos);
+  EXPECT_NE(svg.find(">\u2192 far (10)<"), std::string::npos);
+  EXPECT_NE(svg.find(">\u2190 before (-2)<"), std::string::npos);
   EXPECT_NE(svg.find(">a &amp; b<"), std::string::npos);
   EXPECT_NE(svg.find("alpha (Å)"), std::string::npos);
   EXPECT_NE(svg.find("not shown: 2 to "), std::string::npos);
+}
+
+TEST(SignaturePlot, NamesIndicesExactly) {
+  const std::string svg = plot(mixed_shapes(), {.title = "",
+                                                .subtitle = "",
+                                                .unit = "",
+                                                .axis = PlotAxis::index,
+                                                .range = std::pair(0.0, 200000.0),
+                                                .marks = {{"solid", 160901, 1.0}}});
+  EXPECT_NE(svg.find(">A solid (160901)<"), std::string::npos);
+}
+
+TEST(SignaturePlot, ShortensLongTextsAndKeepsThemWholeInTheDescription) {
+  const std::string name(150, 'n'), what(300, 'w');
+  PlotOptions options;
+  options.title = name;
+  options.subtitle = what;
+  const std::string svg = plot(mixed_shapes(), options);
+  EXPECT_NE(svg.find("<title>Signatures of " + name + "</title>"), std::string::npos);
+  EXPECT_NE(svg.find("<desc>" + what + "</desc>"), std::string::npos);
+  EXPECT_NE(svg.find("nn\u2026</text>"), std::string::npos);
+  EXPECT_NE(svg.find("ww\u2026</text>"), std::string::npos);
 }
 
 TEST(SignaturePlot, OfNothingIsAPictureToo) {
