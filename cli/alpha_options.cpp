@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "cli/alpha_number.h"
 #include "cli/usage_error.h"
 #include "orthoball/filtration/alpha.h"
+#include "orthoball/output/alpha_text.h"
 #include "orthoball/signatures/notable_alphas.h"
 
 namespace {
@@ -103,6 +105,15 @@ ChosenAlpha automatic_alpha(const Loaded& input) {
   });
   return {taken.alpha2, taken.alpha, taken.index.value_or(0),
           fmt::format("alpha2 auto: {}, {}", taken.name, taken.reason)};
+}
+
+std::string text_of(const ChosenAlpha& alpha) {
+  if (orthoball::is_of_empty_complex(alpha.alpha2)) return "index 0, the empty complex";
+  const auto number = [](double x) {
+    return std::isfinite(x) ? fmt::format("{}", x + 0.0) : "beyond double range";
+  };
+  return fmt::format("alpha2 {}, alpha {}, index {}", number(alpha.alpha2), number(alpha.alpha),
+                     alpha.index);
 }
 
 void say_how(const InputOptions& options, const std::vector<ChosenAlpha>& chosen) {

@@ -41,6 +41,9 @@ void check(const AlphaOptions& options, bool takes_list);
 [[nodiscard]] std::vector<ChosenAlpha> chosen_alphas(const AlphaOptions& options,
                                                      const Loaded& input);
 
+/// "alpha2 2, alpha 1.4142135623730951, index 7" for reports; "index 0, the empty complex".
+[[nodiscard]] std::string text_of(const ChosenAlpha& alpha);
+
 /// Says on standard error what `auto` stood for among `chosen`, unless --quiet.
 void say_how(const InputOptions& options, const std::vector<ChosenAlpha>& chosen);
 

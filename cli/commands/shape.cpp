@@ -106,8 +106,7 @@ void report(const ShapeOptions& options, const ChosenAlpha& alpha, const orthoba
     contents += ", " + counted(singular_edges, "singular edge") + ", " +
                 counted(isolated, "singular vertex");
   }
-  say(options.input, fmt::format("alpha2 {}, alpha {}, index {}: {}", alpha.alpha2, alpha.alpha,
-                                 alpha.index, contents));
+  say(options.input, text_of(alpha) + ": " + contents);
   const auto mesh_format = orthoball::mesh_format(format);
   if (mesh_format && !orthoball::holds_edges(*mesh_format) && singular_edges + isolated > 0) {
     say(options.input, fmt::format("warning: {} holds triangles only; {} and {} are left out",

@@ -15,6 +15,7 @@
 #include "cli/input_options.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "orthoball/output/alpha_text.h"
 #include "orthoball/signatures/notable_alphas.h"
 #include "orthoball/signatures/signature.h"
 
@@ -64,9 +65,11 @@ Facts<D> facts(const orthoball::Filtration<D>& filtration, std::vector<ChosenAlp
   return facts;
 }
 
-// A number that JSON can hold; counts the others.
+// A number that JSON can hold; counts those beyond the range of doubles. The empty complex has no
+// alpha.
 Json finite(double number, std::size_t& missing) {
   if (std::isfinite(number)) return number + 0.0;
+  if (orthoball::is_of_empty_complex(number)) return nullptr;
   ++missing;
   return nullptr;
 }
@@ -197,8 +200,7 @@ std::string at_text(const Facts<D>& facts, const std::string& area_unit,
     for (std::size_t k = 0; k < D; ++k) {
       words.push_back(fmt::format("{} {}{}", s.betti[k], nouns[k], s.betti[k] == 1 ? "" : "s"));
     }
-    text += fmt::format("\nat alpha2 {}, alpha {}, index {}\n", number_text(s.alpha2),
-                        number_text(facts.asked[i].alpha), s.index);
+    text += "\nat " + text_of(facts.asked[i]) + "\n";
     text += line("  betti", joined(words));
     text += line(D == 3 ? "  volume" : "  area", number_text(s.volume) + volume_unit);
     text +=

@@ -325,6 +325,40 @@ class Streams(InAFolder):
         self.assertEqual(result.stderr.count("warning"), 1)
 
 
+class EmptyComplex(InAFolder):
+    """Index 0 has no alpha, which is no number beyond the range of a double."""
+
+    def said(self, *arguments):
+        result = self.done(*arguments)
+        self.assertNotIn("warning: 2 numbers", result.stderr)
+        self.assertNotRegex(result.stdout + result.stderr, r"beyond|\binf\b|nan")
+        return result
+
+    def test_has_no_alpha_in_tables(self):
+        entry = json.loads(self.said("signatures", EIGHT, "--index", "0", "--json").stdout)[0]
+        self.assertEqual((entry["index"], entry["alpha2"], entry["alpha"]), (0, None, None))
+        row = next(csv.DictReader(io.StringIO(
+            self.said("signatures", EIGHT, "--index", "0").stdout)))
+        self.assertEqual((row["index"], row["alpha2"], row["alpha"]), ("0", "", ""))
+        at = json.loads(self.said("summary", EIGHT, "--index", "0", "--json").stdout)["at"][0]
+        self.assertEqual((at["index"], at["alpha2"], at["alpha"]), (0, None, None))
+
+    def test_is_called_by_its_name(self):
+        self.assertIn("\nat index 0, the empty complex\n",
+                      self.said("summary", EIGHT, "--index", "0").stdout)
+        for ending, words in [("svg", b"<title>Alpha shape at index 0, the empty complex</title>"),
+                              ("ply", b"comment boundary of the alpha shape at index 0, the empty complex\n"),
+                              ("geojson", b"[\n]"), ("vtu", b""), ("glb", b'"alpha2":null')]:
+            output = self.folder / f"shape.{ending}"
+            said = self.said("shape", EIGHT, "--index", "0", "-o", output).stderr
+            self.assertIn("orthoball: index 0, the empty complex: 0 regular edges", said)
+            self.assertIn(words, output.read_bytes())
+
+    def test_keeps_an_alpha2_that_was_asked_for(self):
+        self.assertIn("\nat alpha2 -5, alpha -2.23606797749979, index 0\n",
+                      self.said("summary", EIGHT, "--alpha2=-5").stdout)
+
+
 class Summary(InAFolder):
     KEYS = ["input", "dimension", "affine_dimension", "distinct_sites", "hidden", "duplicates",
             "simplices", "attached", "spectrum_size", "alpha2_min", "alpha2_max", "hull_volume",

@@ -39,6 +39,8 @@ class ByteSink {
   }
   /// The shortest decimal text that reads back to the same double; `missing` for NaN and infinity.
   void real(double number);
+  /// `missing` where there is no number to write; not counted.
+  void none() { text(missing_); }
   void integer(std::int64_t number);
   /// `text` as a JSON string, quotes included.
   void json_string(std::string_view text);

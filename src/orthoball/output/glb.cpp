@@ -102,7 +102,7 @@ std::string json_chunk(const ShapeMesh& mesh, const MeshOptions& options,
   ByteSink json(out, "0");
   json.text("{\"asset\":{\"version\":\"2.0\",\"generator\":\"orthoball\"},\"scene\":0,");
   json.text("\"extras\":{\"alpha2\":");
-  json.real(options.alpha2);
+  json.text(std::isfinite(options.alpha2) ? shortest_text(options.alpha2) : "null");
   write_number(json, ",\"index\":", mesh.index);
   if (primitives.empty()) {
     json.text("},\"scenes\":[{}]}");

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "orthoball/error.h"
+#include "orthoball/output/alpha_text.h"
 #include "orthoball/output/mesh_formats.h"
 
 namespace orthoball {
@@ -29,8 +30,7 @@ void put(ByteSink& sink, std::string_view before, std::size_t number, std::strin
 }
 
 std::string title(const ShapeMesh& mesh, const MeshOptions& options) {
-  return "boundary of the alpha shape at alpha2 " + shortest_text(options.alpha2) + ", index " +
-         std::to_string(mesh.index);
+  return "boundary of the alpha shape at " + alpha_text(options.alpha2, mesh.index);
 }
 
 void write_ply(ByteSink& sink, const ShapeMesh& mesh, const MeshOptions& options) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "orthoball/output/alpha_text.h"
 #include "orthoball/output/polygons.h"
 
 namespace orthoball {
@@ -179,8 +180,8 @@ void write_shape_svg(ByteSink& sink, const Filtration<2>& filtration, const Weig
   const auto size = [](double x) { return shortest_text(std::ceil(x)); };
   const std::string width = size(picture.width()), height = size(picture.height());
   sink.text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
-            "\" viewBox=\"0 0 " + width + " " + height + "\">\n<title>Alpha shape at alpha2 " +
-            shortest_text(options.alpha2) + ", index " + std::to_string(options.index) +
+            "\" viewBox=\"0 0 " + width + " " + height + "\">\n<title>Alpha shape at " +
+            alpha_text(options.alpha2, options.index) +
             "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n");
   sink.text("<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n");
 

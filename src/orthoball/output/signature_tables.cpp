@@ -3,6 +3,7 @@
 #include <span>
 #include <string_view>
 
+#include "orthoball/output/alpha_text.h"
 #include "orthoball/output/npz.h"
 #include "orthoball/output/tables.h"
 
@@ -26,6 +27,11 @@ constexpr std::array<std::string_view, 4> kRoles{"exterior", "singular", "regula
 template <int D>
 std::array<std::span<const std::uint32_t>, 4> counts(const Signature<D>& s) {
   return {s.exterior, s.singular, s.regular, s.interior};
+}
+
+// alpha2 or its signed root; the empty complex has neither.
+void write_alpha(ByteSink& sink, double number) {
+  return is_of_empty_complex(number) ? sink.none() : sink.real(number);
 }
 
 void write_json_array(ByteSink& sink, std::span<const std::uint32_t> numbers) {
@@ -66,9 +72,9 @@ void write_signature_csv(ByteSink& sink, const SignatureRow<D>& row) {
   const Signature<D>& s = row.signature;
   sink.integer(s.index);
   sink.text(",");
-  sink.real(s.alpha2);
+  write_alpha(sink, s.alpha2);
   sink.text(",");
-  sink.real(row.alpha);
+  write_alpha(sink, row.alpha);
   const auto integers = [&](std::span<const std::uint32_t> numbers) {
     for (const std::uint32_t n : numbers) {
       sink.text(",");
@@ -92,9 +98,9 @@ void write_signature_json(ByteSink& sink, const SignatureRow<D>& row) {
   sink.text("{\"index\":");
   sink.integer(s.index);
   sink.text(",\"alpha2\":");
-  sink.real(s.alpha2);
+  write_alpha(sink, s.alpha2);
   sink.text(",\"alpha\":");
-  sink.real(row.alpha);
+  write_alpha(sink, row.alpha);
   sink.text(",\"betti\":");
   write_json_array(sink, s.betti);
   sink.text(",\"euler\":");

@@ -39,7 +39,8 @@ struct SignatureRow {
 
 // Signatures, column by column `index, alpha2, alpha, betti_0.., euler, exterior_0..exterior_D,
 // singular_.., regular_.., interior_.., volume, area_singular, area_regular, area, length`. In the
-// plane there is no length.
+// plane there is no length. Index 0 itself, the empty complex, has no alpha2 and alpha: nothing
+// stands there, in the archive -infinity.
 
 /// The head of the CSV table.
 template <int D>
