@@ -5,31 +5,69 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <deque>
 #include <filesystem>
 #include <iostream>
 #include <utility>
 
 namespace {
 
+// What a signal must remove; null for nothing. Names are kept to the end, so that a signal that any
+// thread takes finds a whole one.
+std::atomic<const char*> unfinished = nullptr;
+static_assert(std::atomic<const char*>::is_always_lock_free);
+
+// Only what POSIX allows in a handler. The signal, raised again, has its usual effect once this
+// returns: the handler was reset when it was called.
+extern "C" void remove_unfinished(int signal) {
+  if (const char* const name = unfinished.load()) unlink(name);
+  raise(signal);
+}
+
+void remove_on_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action = {};
+    sigaction(signal, nullptr, &action);
+    if (action.sa_handler != SIG_DFL) continue;  // ignored, as nohup does
+    action.sa_handler = remove_unfinished;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(signal, &action, nullptr);
+  }
+}
+
 // A file of its own beside `path`, empty. Nothing where none can be made; errno says why.
 std::string temporary_beside(const std::filesystem::path& path) {
-  std::string name = (path.parent_path() / ("." + path.filename().string() + ".XXXXXX")).string();
+  static std::deque<std::string> names;
+  if (names.empty()) remove_on_signals();
+  std::string& name = names.emplace_back(
+      (path.parent_path() / ("." + path.filename().string() + ".XXXXXX")).string());
+  unfinished = name.c_str();  // before there is a file: a signal may come at any time
   const int descriptor = mkstemp(name.data());
-  if (descriptor < 0) return {};
+  if (descriptor < 0) {
+    unfinished = nullptr;
+    return {};
+  }
   close(descriptor);
   return name;
 }
 
-// mkstemp's files are for the owner only; ours are as any other program's.
-void open_to_others(const std::string& path) {
-  const mode_t mask = umask(0);
-  umask(mask);
+// mkstemp's files are for the owner only. Ours are for those whom the file that is replaced was
+// for, or for those whom any other new file is for.
+void open_to_others(const std::string& temporary, const std::filesystem::file_status& replaced) {
+  auto permissions = replaced.permissions();
+  if (!std::filesystem::exists(replaced)) {
+    const mode_t mask = umask(0);
+    umask(mask);
+    permissions = static_cast<std::filesystem::perms>(0666 & ~mask);
+  }
   std::error_code ignored;
-  std::filesystem::permissions(path, static_cast<std::filesystem::perms>(0666 & ~mask), ignored);
+  std::filesystem::permissions(temporary, permissions, ignored);
 }
 
 }  // namespace
@@ -50,14 +88,16 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), is_standard_(
     if (!error) path_ = target.string();
     temporary_ = temporary_beside(path_);
     if (temporary_.empty()) fail("cannot be written");
-    open_to_others(temporary_);
     file_.open(temporary_, std::ios::binary);
+    open_to_others(temporary_, status);
   }
   if (!file_) fail("cannot be written");
 }
 
 OutputFile::~OutputFile() {
-  if (!temporary_.empty()) std::remove(temporary_.c_str());
+  if (temporary_.empty()) return;
+  std::remove(temporary_.c_str());
+  unfinished = nullptr;
 }
 
 void OutputFile::commit() {
@@ -67,6 +107,7 @@ void OutputFile::commit() {
   if (!stream()) fail();
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot be written");
+  unfinished = nullptr;
   temporary_.clear();
 }
 

@@ -14,6 +14,7 @@ import os
 import pathlib
 import pty
 import resource
+import signal
 import struct
 import subprocess
 import sys
@@ -245,6 +246,35 @@ class Files(InAFolder):
         output = self.folder / "out.csv"
         self.done("filter", C60, "-o", output, umask=0o022)
         self.assertEqual(output.stat().st_mode & 0o777, 0o644)
+
+    def test_a_file_that_is_replaced_keeps_its_permissions(self):
+        output = self.file("out.csv", "secret")
+        for mode in [0o600, 0o640, 0o444]:
+            output.chmod(mode)
+            self.done("filter", C60, "-o", output, umask=0o022)
+            self.assertEqual(output.stat().st_mode & 0o777, mode)
+        self.assertTrue(output.read_text().startswith("position,"))
+
+    def interrupted(self, number, **options):
+        """Status of a program that gets a signal while it writes, and what it leaves."""
+        points = "".join(f"{i * 7919 % 10007} {i * 104729 % 10009} {i * 611953 % 10037}\n"
+                         for i in range(60000))
+        with subprocess.Popen([PROGRAM, "filter", self.file("points.txt", points), "-o",
+                               self.folder / "out.csv"], **options) as process:
+            while process.poll() is None and len(list(self.folder.iterdir())) == 1:
+                time.sleep(0.001)
+            process.send_signal(number)
+            process.wait()
+        return process.returncode, sorted(path.name for path in self.folder.iterdir())
+
+    def test_a_signal_leaves_no_unfinished_file(self):
+        for number in [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]:
+            self.assertEqual(self.interrupted(number), (-number, ["points.txt"]))
+
+    def test_a_signal_that_is_ignored_stays_ignored(self):
+        ignore = lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN)
+        self.assertEqual(self.interrupted(signal.SIGHUP, preexec_fn=ignore),
+                         (0, ["out.csv", "points.txt"]))
 
     def test_standard_input_is_read(self):
         text = pathlib.Path(TWO_BALLS).read_text()
