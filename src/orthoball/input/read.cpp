@@ -103,10 +103,11 @@ const Format& format_named(const std::string& name) {
   refuse_options(quoted(name) + " is no input format; the formats are " + format_names());
 }
 
-const Format& format_of(const std::string& path) {
+// Null where the name tells none.
+const Format* format_of_name(const std::string& path) {
   const std::string ending = ending_of(path);
   for (const Format& format : kFormats) {
-    if (has_ending(format.endings, ending)) return format;
+    if (has_ending(format.endings, ending)) return &format;
   }
   for (const Refusal& refusal : kRefused) {
     if (!has_ending(refusal.endings, ending)) continue;
@@ -115,14 +116,25 @@ const Format& format_of(const std::string& path) {
                          " (or name the format with --input-format if the "
                          "file name misleads)");
   }
+  return nullptr;
+}
+
+[[noreturn]] void refuse_name(const std::string& path) {
+  const std::string ending = ending_of(path);
   throw ParseError(path, 0,
                    (ending.empty() ? "a file name without an ending"
                                    : "an unknown file name ending, " + quoted(ending)) +
                        "; name the format with --input-format: " + format_names());
 }
 
-// The format that the bytes show, where a name stands for several.
-const Format& format_of_content(const Format& format, std::string_view text) {
+// The format that the bytes show, where the name of the file stands for several or for none.
+const Format& format_of_content(const Format* by_name, const Source& source) {
+  const std::string_view text = source.bytes;
+  if (by_name == nullptr) {
+    if (!is_alpha_1995(text)) refuse_name(source.name);
+    return format_named("alpha_1995");
+  }
+  const Format& format = *by_name;
   if (format.name == "xyz") {
     Lines lines(text);
     std::string_view first;
@@ -162,10 +174,11 @@ Reading read(const std::string& path, const ReadOptions& options) {
     refuse_options("standard input has no name to tell its format; name it with --input-format: " +
                    format_names());
   }
-  const Format* format = options.format.empty() ? &format_of(path) : &format_named(options.format);
+  const Format* format =
+      options.format.empty() ? format_of_name(path) : &format_named(options.format);
   const Source source = read_source(path, options.limited, options.memory);
+  if (options.format.empty()) format = &format_of_content(format, source);
   if (format->is_text) require_text(source);
-  if (options.format.empty()) format = &format_of_content(*format, source.bytes);
   const bool has_columns =
       !options.columns.empty() || !options.radius_column.empty() || !options.weight_column.empty();
   if (format->is_molecule && has_columns) {

@@ -72,6 +72,8 @@ TEST(Read, AFixedPointCommandTellsThe1995Format) {
   EXPECT_EQ(format_of("a.txt", "#fix: 7.3\n1 2 3 0.5\n"), "alpha_1995");
   EXPECT_EQ(format_of("a.xyz", "#fix: 7.3\n1 2 3 0.5\n"), "alpha_1995");
   EXPECT_EQ(format_of("a.txt", "#fix: 7.3\n1 2 3\n", {.format = "table"}), "table");
+  EXPECT_EQ(format_of("a", "#title: t\n#fix: 6.2\n0 0 0\n"), "alpha_1995");
+  EXPECT_EQ(format_of("a.1995", "#fix: 6.2\n0 0 0\n"), "alpha_1995");
 }
 
 TEST(Read, TheFormatCanBeNamed) {
