@@ -134,7 +134,8 @@ double BinaryRows::checked(double number, std::size_t offset, std::size_t column
   if (std::isfinite(number)) return number + 0.0;  // -0 reads as 0
   throw ParseError(source_.name, 0,
                    "byte " + std::to_string(offset) + ": column " + std::to_string(column + 1) +
-                       " holds no finite number that a double can hold; it must");
+                       " is not finite, or an integer above 2^53 in size; numbers that a double "
+                       "holds exactly are needed");
 }
 
 void BinaryRows::add_columns(std::size_t rows, bool is_big_endian,

@@ -39,6 +39,17 @@ std::string_view value_of(const Source& source, std::string_view dictionary, std
   return trimmed(dictionary.substr(colon + 1));
 }
 
+// A Python literal at the begin of `text`, as it is written: a string, a tuple or a list.
+std::string_view literal(std::string_view text) {
+  constexpr std::pair<char, char> kEnds[] = {{'\'', '\''}, {'(', ')'}, {'[', ']'}};
+  for (const auto& [first, last] : kEnds) {
+    if (text.empty() || text[0] != first) continue;
+    const std::size_t end = text.find(last, 1);
+    if (end != std::string_view::npos) return text.substr(0, end + 1);
+  }
+  return text.substr(0, text.find_first_of(",}\n"));
+}
+
 std::optional<NumberType> number_type(std::string_view letters) {
   constexpr std::pair<std::string_view, NumberType> kTypes[] = {
       {"f8", NumberType::float64}, {"f4", NumberType::float32}, {"i8", NumberType::int64},
@@ -70,27 +81,27 @@ Header header_of(const Source& source) {
   if (header.data > bytes.size()) fail(bytes.size(), "the file ends within the header");
   const std::string_view dictionary = bytes.substr(8 + length_size, length);
 
-  const std::string_view type = value_of(source, dictionary, "descr");
-  const bool is_plain = type.size() >= 5 && type[0] == '\'' && type[4] == '\'';
+  const std::string_view type = literal(value_of(source, dictionary, "descr"));
+  const bool is_plain = type.size() == 5 && type[0] == '\'' && type[4] == '\'';
   const auto known = is_plain ? number_type(type.substr(2, 2)) : std::nullopt;
   if (!known || "<>|="sv.find(type[1]) == std::string_view::npos) {
-    fail(10, "numbers of type " + quoted(type.substr(0, type.find('\n'))) +
+    fail(10, "elements of type " + std::string(type) +
                  "; save the array as float64, float32 or integers");
   }
   header.type = *known;
   header.is_big_endian = type[1] == '>';
   header.is_fortran_order = value_of(source, dictionary, "fortran_order").substr(0, 4) == "True"sv;
 
-  std::string_view shape = value_of(source, dictionary, "shape");
-  shape = shape.substr(0, shape.find(')'));
+  const std::string_view tuple = literal(value_of(source, dictionary, "shape"));
+  const std::string_view shape = tuple.substr(0, tuple.find(')'));
   const std::size_t comma = shape.find(',');
   std::string_view second =
       comma == std::string_view::npos ? std::string_view() : trimmed(shape.substr(comma + 1));
   if (!second.empty() && second.back() == ',') second.remove_suffix(1);
   if (shape.empty() || shape[0] != '(' || second.empty() ||
       second.find(',') != std::string_view::npos) {
-    fail(10,
-         "an array of shape " + quoted(shape) + "; points by columns, such as (1000, 3), is read");
+    fail(10, "an array of shape " + std::string(tuple) +
+                 "; points by columns, such as (1000, 3), are read");
   }
   header.rows = count_at(source, 0, trimmed(shape.substr(1, comma - 1)), "the number of rows");
   header.columns = count_at(source, 0, second, "the number of columns");

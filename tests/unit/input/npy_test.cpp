@@ -90,13 +90,33 @@ TEST(ReadNpy, ReadsManyRowsAndNamesTheFirstNumberThatIsNone) {
   numbers[3 * 1300 + 2] = numbers[3 * 1301] = std::numeric_limits<double>::infinity();
   EXPECT_EQ(error_of(read_npy, head + doubles(numbers)),
             "f: byte " + std::to_string(head.size() + 8 * (3 * 1300 + 2)) +
-                ": column 3 holds no finite number that a double can hold; it must");
+                ": column 3 is not finite, or an integer above 2^53 in size; numbers that a double "
+                "holds exactly are needed");
   std::vector<double> columns(numbers.size());
   for (std::size_t i = 0; i < numbers.size(); ++i) columns[i % 3 * 1500 + i / 3] = numbers[i];
   const std::string turned = npy("<f8", "True", "(1500, 3)", "");
   EXPECT_EQ(error_of(read_npy, turned + doubles(columns)),
             "f: byte " + std::to_string(turned.size() + 8 * (2 * 1500 + 1300)) +
-                ": column 3 holds no finite number that a double can hold; it must");
+                ": column 3 is not finite, or an integer above 2^53 in size; numbers that a double "
+                "holds exactly are needed");
+}
+
+TEST(ReadNpy, NamesTypesAndShapesAsTheyAreWritten) {
+  EXPECT_EQ(error_of(read_npy, npy("<f2", "False", "(1, 2)", "abcd")),
+            "f: byte 10: elements of type '<f2'; save the array as float64, float32 or integers");
+  EXPECT_EQ(error_of(read_npy, npy("|O' ", "False", "(1, 2)", "")),
+            "f: byte 10: elements of type '|O'; save the array as float64, float32 or integers");
+  EXPECT_EQ(error_of(read_npy, npy("<f8", "False", "(5,)", "")),
+            "f: byte 10: an array of shape (5,); points by columns, such as (1000, 3), are read");
+  EXPECT_EQ(
+      error_of(read_npy, npy("<f8", "False", "(5, 1, 2)", "")),
+      "f: byte 10: an array of shape (5, 1, 2); points by columns, such as (1000, 3), are read");
+  std::string records = npy("<f8", "False", "(5, 3)", "");
+  records.replace(records.find("'<f8'"), 5, "[('x', '<f8')]")
+      .replace(8, 2, little_endian(records.size() - 10, 2));
+  EXPECT_EQ(error_of(read_npy, records),
+            "f: byte 10: elements of type [('x', '<f8')]; save the array as float64, float32 or "
+            "integers");
 }
 
 TEST(ReadNpy, RefusesWhatItCannotRead) {
