@@ -294,18 +294,33 @@ bool ModelChoice::takes(int number) {
   return taken_ == number;
 }
 
+std::string ModelChoice::all() const {
+  constexpr std::size_t kMost = 8;  // named one by one
+  const int first = *seen_.begin(), last = *seen_.rbegin();
+  std::string text = std::string(noun_) + (seen_.size() == 1 ? " " : "s ");
+  if (seen_.size() > 2 &&
+      static_cast<std::size_t>(last) - static_cast<std::size_t>(first) + 1 == seen_.size()) {
+    return text + std::to_string(first) + " to " + std::to_string(last);
+  }
+  std::size_t named = 0;
+  for (const int number : seen_) {
+    if (named == kMost) return text + ", ... " + std::to_string(last);
+    text += (named++ == 0 ? "" : ", ") + std::to_string(number);
+  }
+  return text;
+}
+
 void ModelChoice::finish(const Source& source, std::vector<std::string>& notes) const {
   const std::string noun = noun_;
   if (wanted_ && !taken_ && !seen_.empty()) {
     throw ParseError(source.name, 0,
-                     "no " + noun + ' ' + std::to_string(*wanted_) + "; the file has " +
-                         count_of(seen_.size(), noun_) + ", " + std::to_string(*seen_.begin()) +
-                         " to " + std::to_string(*seen_.rbegin()));
+                     "no " + noun + ' ' + std::to_string(*wanted_) + "; the file has " + all());
   }
-  if (taken_ && seen_.size() > 1) {
-    notes.push_back(noun + ' ' + std::to_string(*taken_) + " of " + std::to_string(seen_.size()) +
-                    (wanted_ ? "" : " (--model N takes another)"));
-  }
+  if (!taken_ || seen_.size() == 1) return;
+  const bool is_counted = *seen_.begin() == 1 && std::cmp_equal(*seen_.rbegin(), seen_.size());
+  notes.push_back(noun + ' ' + std::to_string(*taken_) +
+                  (is_counted ? " of " + std::to_string(seen_.size()) : " of the " + all()) +
+                  (wanted_ ? "" : " (--model N takes another)"));
 }
 
 void require_molecule_options(const ReadOptions& options, std::string_view format) {

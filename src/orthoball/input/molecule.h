@@ -59,6 +59,9 @@ class ModelChoice {
   void finish(const Source& source, std::vector<std::string>& notes) const;
 
  private:
+  /// "models 1 to 20", "models 2, 5".
+  [[nodiscard]] std::string all() const;
+
   std::optional<int> wanted_;
   const char* noun_;
   std::optional<int> last_;  // what takes() was asked last

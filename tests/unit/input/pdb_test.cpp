@@ -7,6 +7,7 @@
 
 #include "orthoball/error.h"
 #include "orthoball/input/formats.h"
+#include "unit/input/inline_source.h"
 
 namespace orthoball {
 namespace {
@@ -146,10 +147,33 @@ TEST(Pdb, TakesTheFirstModelUnlessAnotherIsNamed) {
                            "ENDMDL\nMODEL        4\n" + kCarbon + kCarbon + "ENDMDL\nEND\n";
   const Reading first = pdb(text);
   EXPECT_EQ(first.labels.atom, Strings{"N"});
-  EXPECT_EQ(first.notes, Strings{"model 3 of 3 (--model N takes another)"});
+  EXPECT_EQ(first.notes, Strings{"model 3 of the models 3 to 5 (--model N takes another)"});
   EXPECT_EQ(pdb(text, molecule_options({.model = 4})).points.size(), 1U);
   EXPECT_EQ(pdb(text, molecule_options({.model = 5})).points.size(), 2U) << "the number again";
   EXPECT_THROW((void)pdb(text, molecule_options({.model = 1})), ParseError);
+}
+
+TEST(Pdb, NamesModelsByTheirNumbers) {
+  const auto file = [](std::initializer_list<int> numbers) {
+    std::string text;
+    for (const int number : numbers) {
+      text += "MODEL " + std::string(number < 10 ? "       " : "      ") + std::to_string(number) +
+              "\n" + kNitrogen + "ENDMDL\n";
+    }
+    return text;
+  };
+  const auto note = [&](std::initializer_list<int> numbers, int wanted) {
+    return pdb(file(numbers), molecule_options({.model = wanted})).notes.at(0);
+  };
+  EXPECT_EQ(note({1, 2, 3}, 2), "model 2 of 3");
+  EXPECT_EQ(note({2, 5}, 5), "model 5 of the models 2, 5");
+  EXPECT_EQ(note({0, 1, 2}, 0), "model 0 of the models 0 to 2");
+  EXPECT_EQ(note({2, 4, 6, 8, 10, 12, 14, 16, 18, 20}, 2),
+            "model 2 of the models 2, 4, 6, 8, 10, 12, 14, 16, ... 20");
+  EXPECT_EQ(error_of(read_pdb, file({2, 5}), molecule_options({.model = 1})),
+            "f: no model 1; the file has models 2, 5");
+  EXPECT_EQ(error_of(read_pdb, file({2}), molecule_options({.model = 1})),
+            "f: no model 1; the file has model 2");
 }
 
 TEST(Pdb, SeparatesModelsWithoutNumbersByEnd) {
