@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Wavefront OBJ: the vertices, lines `v x y z`. Four numbers are a rational vertex, of which only
-// weight 1 is a point; six or seven carry a colour. Everything else in the file is passed over.
+// weight 1 is a point; six or seven carry a colour. Each vertex may have these or not, unless
+// columns are chosen: then all must have as many. Everything else in the file is passed over.
 
 #include <utility>
 
@@ -17,6 +18,7 @@ Reading read_obj(const Source& source, const ReadOptions& options) {
   std::string_view line;
   std::vector<std::string_view> fields;
   TextRows sites(source, options);
+  std::size_t count = 0;  // numbers of the first vertex
   while (lines.next(line)) {
     line = trimmed(line);
     if (line.size() < 2 || line[0] != 'v' || (line[1] != ' ' && line[1] != '\t')) continue;
@@ -32,10 +34,12 @@ Reading read_obj(const Source& source, const ReadOptions& options) {
            "; only 1 is a point (a radius is named by --radius-column 4)");
     }
     if (sites.size() == 0) {
+      count = fields.size();
       std::vector<std::string> names{"x", "y", "z"};
-      names.resize(fields.size());
+      names.resize(count);
       sites.name_columns(lines.number(), std::move(names));
     }
+    if (!has_own_use && options.columns.empty()) fields.resize(count);  // of which 3 are read
     sites.add(lines.number(), fields);
     // A fourth number must be looked at.
     if (fields.size() != 4 || has_own_use) sites.add_plain(lines, {.mark = "v"});

@@ -23,6 +23,23 @@ TEST(ReadObj, OnlyWeightOneIsAPoint) {
   EXPECT_EQ(coordinates_of(reading_of(read_obj, "v 1 2 3 0 0 1\n")), (Numbers{1, 2, 3}));
 }
 
+TEST(ReadObj, EveryVertexMayHaveAWeightOrColourOfItsOwn) {
+  const std::vector<std::string> vertices{"v 1 2 3\n", "v 1 2 3 1.0\n", "v 1 2 3 0 0.5 1\n",
+                                          "v 1 2 3 1 0 0.5 1\n"};
+  for (const std::string& first : vertices) {
+    for (const std::string& second : vertices) {
+      EXPECT_EQ(coordinates_of(reading_of(read_obj, first + second + first)),
+                (Numbers{1, 2, 3, 1, 2, 3, 1, 2, 3}));
+    }
+    EXPECT_EQ(error_of(read_obj, first + "v 1 2 3 0.5\n").substr(0, 4), "f:2:");
+  }
+  EXPECT_EQ(error_of(read_obj, "v 1 2 3 2\nv 1 2 3\n", {.radius_column = "4"}).substr(0, 4),
+            "f:2:");
+  EXPECT_EQ(
+      error_of(read_obj, "v 1 2 3 0 0 1\nv 1 2 3\n", {.columns = {"4", "5", "6"}}).substr(0, 4),
+      "f:2:");
+}
+
 TEST(ReadObj, RefusesVerticesThatAreNone) {
   EXPECT_EQ(error_of(read_obj, "v 1 2\n").substr(0, 4), "f:1:");
   EXPECT_EQ(error_of(read_obj, "v 1 2 3\nv 1 2 x\n").substr(0, 4), "f:2:");
