@@ -21,7 +21,8 @@
 #include "orthoball/input/plain_row.h"
 
 // XYZ: frames of a line with the number of atoms, a comment, and a line `element x y z` for each
-// atom. In the extended form the comment holds key=value pairs, and Properties names the columns.
+// atom. In the extended form the comment holds key=value pairs, and Properties names the columns,
+// of which species or Z, pos and radius are read.
 // Frames that are not taken are checked for their number of lines, so that a wrong count is found
 // wherever it is.
 
@@ -35,6 +36,7 @@ constexpr std::size_t kNoColumn = static_cast<std::size_t>(-1);
 struct AtomColumns {
   std::size_t element = 0;
   std::size_t x = 1;  // y and z follow
+  std::size_t radius = kNoColumn;
   std::size_t least = 4;
   bool is_exact = false;     // no more columns than `least`
   bool has_numbers = false;  // atomic numbers instead of symbols
@@ -121,6 +123,9 @@ AtomColumns columns_of(const Source& source, std::size_t line, std::string_view 
     if (parts[i] == "pos") {
       if (count != 3) fail("pos has " + std::to_string(count) + " columns, 3 are needed");
       columns.x = columns.least;
+    } else if (parts[i] == "radius") {
+      if (count != 1) fail("radius has " + std::to_string(count) + " columns, 1 is needed");
+      columns.radius = columns.least;
     } else if (parts[i] == "species" || (parts[i] == "Z" && columns.element == kNoColumn)) {
       columns.element = columns.least;
       columns.has_numbers = parts[i] == "Z";
@@ -181,6 +186,9 @@ Atom atom_of(const Source& source, std::size_t line, const std::vector<std::stri
   atom.position = {number_at(source, line, words[columns.x], "x"),
                    number_at(source, line, words[columns.x + 1], "y"),
                    number_at(source, line, words[columns.x + 2], "z")};
+  if (columns.radius != kNoColumn) {
+    atom.radius = number_at(source, line, words[columns.radius], "the radius");
+  }
   if (columns.element != kNoColumn) {
     atom.element = element_of(words[columns.element], columns.has_numbers);
   }
@@ -196,6 +204,7 @@ void read_frame(const Source& source, Lines& lines, std::size_t count, bool is_t
   if (!lines.next(line)) line = {};
   AtomColumns columns;
   if (is_taken) columns = columns_of_comment(source, lines.number(), line, molecule.warnings);
+  molecule.has_radii = molecule.has_radii || columns.radius != kNoColumn;
   std::vector<std::string_view> words;
   // No more than the bytes that follow can hold.
   if (is_taken) molecule.atoms.reserve(std::min(count, lines.rest().size() / 8 + 1));
@@ -274,6 +283,7 @@ std::optional<Reading> plain_reading(const Source& source, const ReadOptions& op
   std::vector<std::string> warnings;
   const AtomColumns columns = columns_of_comment(source, lines.number(), line, warnings);
   if (columns.element != 0 || columns.x != 1) return std::nullopt;
+  if (columns.radius != kNoColumn && options.radii.empty()) return std::nullopt;
 
   const char* at = lines.rest().data();
   const char* const end = at + lines.rest().size();

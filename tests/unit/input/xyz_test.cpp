@@ -82,6 +82,23 @@ TEST(Xyz, FollowsPropertiesForItsColumns) {
   EXPECT_EQ(xyz("1\nProperties=Z:I:1:pos:R:3\n14 1 2 3\n").labels.element, Strings{"Si"});
 }
 
+TEST(Xyz, TakesTheRadiiOfTheFileUnlessOthersAreNamed) {
+  const std::string text =
+      "2\nProperties=species:S:1:pos:R:3:radius:R:1\nC 0 0 0 0.5\nO 1 0 0 1.25\n";
+  const Reading reading = xyz(text);
+  EXPECT_EQ(reading.radii, "the file's own");
+  EXPECT_EQ(reading.points.weight(0), 0.25);
+  EXPECT_EQ(reading.points.weight(1), 1.5625);
+  EXPECT_EQ(xyz("1\nProperties=radius:R:1:pos:R:3\n2 0 0 0\n").points.weight(0), 4.0);
+  ReadOptions options;
+  options.radii = "bondi";
+  EXPECT_EQ(xyz(text, options).points.weight(0), 2.89);
+  options.radii = "none";
+  EXPECT_EQ(xyz(text, options).points.weight_kind(), WeightKind::none);
+  EXPECT_EQ(faulty_line("1\nProperties=species:S:1:pos:R:3:radius:R:2\nC 0 0 0 1 1\n"), 2U);
+  EXPECT_EQ(faulty_line("1\nProperties=species:S:1:pos:R:3:radius:R:1\nC 0 0 0 x\n"), 3U);
+}
+
 TEST(Xyz, RefusesPropertiesThatDoNotFit) {
   EXPECT_EQ(faulty_line("1\nProperties=species:S:1:pos:R:3\nC 0 0 0 1\n"), 3U);
   EXPECT_EQ(faulty_line("1\nProperties=species:S:1:pos:R:2\nC 0 0\n"), 2U);
