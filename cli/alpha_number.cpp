@@ -31,15 +31,19 @@ struct Decimal {
   std::int64_t exponent = 0;
 };
 
-double checked(const std::string& option, const std::string& text, const std::string& decimal) {
+// The double nearest to `decimal`, which is what was typed, or `made` of it and then needs a text
+// that is as `needed`.
+double checked(const std::string& option, const std::string& text, const std::string& decimal,
+               const std::string& made = {},
+               const std::string& needed = "a finite decimal number") {
   const orthoball::DecimalParse parse = orthoball::parse_decimal(decimal);
   if (parse.fault == orthoball::DecimalFault::none) return parse.number.nearest;
-  const std::string what = parse.fault == orthoball::DecimalFault::not_a_number ? " is not a number"
-                           : parse.fault == orthoball::DecimalFault::not_finite
-                               ? " is not finite"
-                               : " is beyond the range of a double";
-  throw UsageError(option + ": \"" + text.substr(0, 40) + "\"" + what +
-                   "; a finite decimal number is needed");
+  const std::string fault = parse.fault == orthoball::DecimalFault::not_a_number ? "not a number"
+                            : parse.fault == orthoball::DecimalFault::not_finite
+                                ? "not finite"
+                                : "beyond the range of a double";
+  throw UsageError(fmt::format("{}: {}\"{}\" is {}; {} is needed", option, made, text.substr(0, 40),
+                               fault, needed));
 }
 
 // The parts of a text that `checked` has accepted.
@@ -83,7 +87,8 @@ double alpha2_from_alpha(const std::string& option, const std::string& text) {
   check_length(option, text);
   if (checked(option, text, text) == 0.0 && parts(text).digits == 0) return 0.0;
   const Decimal x = parts(text);
-  return checked(option, text, text_of(x.digits * x.digits, 2 * x.exponent, x.is_negative));
+  return checked(option, text, text_of(x.digits * x.digits, 2 * x.exponent, x.is_negative),
+                 "the square of ", "a number below 1.34e154 in size");
 }
 
 double alpha2_from_inverse_alpha(const std::string& option, const std::string& text) {
@@ -102,5 +107,6 @@ double alpha2_from_inverse_alpha(const std::string& option, const std::string& t
     quotient = 10 * quotient + 1;
     --exponent;
   }
-  return checked(option, text, text_of(quotient, exponent, x.is_negative));
+  return checked(option, text, text_of(quotient, exponent, x.is_negative), "the inverse square of ",
+                 "a number above 7.46e-155 in size");
 }

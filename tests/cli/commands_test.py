@@ -127,13 +127,17 @@ class ExitStatuses(InAFolder):
             ("--threads", "some", '"some" is no whole number from 1 to 1024'),
             ("--progress", "foo", "foo not in {auto,never,always}"),
             ("--progress", "2", "2 not in {auto,never,always}"),
+            ("--alpha", "1e400", '"1e400" is beyond the range of a double; a finite'),
+            ("--alpha", "1e200", 'the square of "1e200" is beyond the range of a double; a number below'),
+            ("--inverse-alpha", "-1e-200",
+             'the inverse square of "-1e-200" is beyond the range of a double; a number above'),
             ("--index", "-1", '"-1" is not an index of the spectrum; it must be a whole number from 0 on'),
             ("--index", "100000", '"100000" is not an index of the spectrum; it must be a whole number '
                                   "from 0 to "),
         ]:
             with self.subTest(option=option, value=value):
                 self.assertIn(f"{option}: {words}",
-                              self.refused(2, "signatures", C60, option, value))
+                              self.refused(2, "signatures", C60, f"{option}={value}"))
 
     def test_an_unknown_command_is_named(self):
         self.assertIn('"no_such_command"', self.refused(2, "no_such_command", C60))
