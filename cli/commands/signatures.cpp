@@ -169,15 +169,25 @@ void write_table(const SignaturesOptions& options, const Loaded& input, Progress
   warn_of_missing(options.input, missing, format == "json" ? "null" : "an empty field");
 }
 
+void check_plot(const SignaturesOptions& options) {
+  if (options.plot.empty()) return;
+  if (options.plot == options.output) {
+    throw UsageError("--plot and -o name the same file; table and plot need one each");
+  }
+  const std::string ending = ending_of(options.plot);
+  if (!ending.empty() && ending != "svg") {
+    throw UsageError(
+        fmt::format("--plot {}: a plot is SVG; the name must end in .svg", options.plot));
+  }
+}
+
 void run(const SignaturesOptions& options) {
   if (options.samples && options.alpha.is_given()) {
     throw UsageError(
         "--samples spreads values over the spectrum; it excludes --alpha2, --alpha, "
         "--inverse-alpha and --index");
   }
-  if (!options.plot.empty() && options.plot == options.output) {
-    throw UsageError("--plot and -o name the same file; table and plot need one each");
-  }
+  check_plot(options);
   check(options.alpha, true);
   (void)range_from_text(options.plot_range);
   Progress progress(options.input.progress, options.input.quiet,
@@ -211,21 +221,24 @@ void add_output_options(CLI::App& command, SignaturesOptions& options) {
   command.add_flag("--json", options.json, "the same as --format json")
       ->excludes(format)
       ->group(group);
-  command.add_option("--plot", options.plot, "also draw all signatures as SVG into this file")
-      ->type_name("FILE")
-      ->group(group);
+  auto* const plot =
+      command.add_option("--plot", options.plot, "also draw all signatures as SVG into this file")
+          ->type_name("FILE")
+          ->group(group);
   command
       .add_option("--plot-axis", options.plot_axis,
                   "what runs along the plot: alpha, alpha2 or index")
       ->type_name("NAME")
       ->check(CLI::IsMember({"alpha", "alpha2", "index"}).description(""))
       ->capture_default_str()
+      ->needs(plot)
       ->group(group);
   command
       .add_option("--plot-range", options.plot_range,
                   "ends of that axis (default: every change of the topology, but at most 15\n"
                   "times the stretch in which 4/5 of the triangles or tetrahedra enter)")
       ->type_name("FROM,TO")
+      ->needs(plot)
       ->group(group);
 }
 

@@ -27,9 +27,14 @@ struct SummaryOptions {
   InputOptions input;
   AlphaOptions alpha;
   std::string output = "-";
-  std::string format = "text";
+  std::string format;  // text, json; empty: from the name of the output
   bool json = false;
 };
+
+bool is_json(const SummaryOptions& options) {
+  if (options.json) return true;
+  return options.format.empty() ? ending_of(options.output) == "json" : options.format == "json";
+}
 
 // What both forms of the report say.
 template <int D>
@@ -259,7 +264,6 @@ void run(const SummaryOptions& options) {
   const Loaded input = load(options.input, progress, false);
   progress.begin(Stage::signatures);
   std::size_t missing = 0;
-  const bool is_json = options.json || options.format == "json";
   const std::string report = std::visit(
       [&]<int D>(const orthoball::Filtration<D>& filtration) {
         require_memory(options.input, orthoball::signature_memory(filtration.size()),
@@ -267,7 +271,7 @@ void run(const SummaryOptions& options) {
         std::vector<ChosenAlpha> asked = chosen_alphas(options.alpha, input);
         say_how(options.input, asked);
         const Facts<D> known = facts(filtration, std::move(asked), threads_of(options.input));
-        if (!is_json) return text_report(input, filtration, known);
+        if (!is_json(options)) return text_report(input, filtration, known);
         return json_report_text(json_report(input, filtration, known, missing));
       },
       input.shapes.filtration());
@@ -291,10 +295,11 @@ void add_summary_command(CLI::App& app) {
       ->type_name("FILE")
       ->capture_default_str()
       ->group(group);
-  auto* const format = command->add_option("--format", options->format, "text or json")
+  auto* const format = command
+                           ->add_option("--format", options->format,
+                                        "text or json\n(default: by the name of -o, else text)")
                            ->type_name("NAME")
                            ->check(CLI::IsMember({"text", "json"}).description(""))
-                           ->capture_default_str()
                            ->group(group);
   command->add_flag("--json", options->json, "the same as --format json")
       ->excludes(format)

@@ -139,6 +139,20 @@ class ExitStatuses(InAFolder):
                 self.assertIn(f"{option}: {words}",
                               self.refused(2, "signatures", C60, f"{option}={value}"))
 
+    def test_options_of_a_plot_need_a_plot(self):
+        for option, value in [("--plot-axis", "index"), ("--plot-range", "0,1")]:
+            self.assertIn(f"{option} requires --plot",
+                          self.refused(2, "signatures", C60, option, value))
+
+    def test_a_plot_is_svg_and_a_name_that_says_otherwise_is_refused(self):
+        for name in ["plot.png", "plot.pdf", "plot.html"]:
+            self.assertIn("must end in .svg",
+                          self.refused(2, "signatures", C60, "--plot", self.folder / name))
+        for name in ["plot", "plot.svg", "plot.SVG"]:
+            self.done("signatures", C60, "--plot", self.folder / name)
+            self.assertTrue((self.folder / name).read_text().startswith("<svg"))
+        self.done("signatures", C60, "--plot", os.devnull)
+
     def test_an_unknown_command_is_named(self):
         self.assertIn('"no_such_command"', self.refused(2, "no_such_command", C60))
 
@@ -444,6 +458,14 @@ class Summary(InAFolder):
         self.assertEqual(summary["affine_dimension"], 2)
         self.assertEqual(summary["hull_volume"], 0)
         self.assertEqual(summary["hull_area"], 8)
+
+    def test_the_name_of_the_output_tells_the_format(self):
+        output = self.folder / "summary.json"
+        self.done("summary", C60, "-o", output)
+        self.assertEqual(json.loads(output.read_text())["dimension"], 3)
+        for arguments in [["-o", self.folder / "summary.txt"], ["-o", output, "--format", "text"]]:
+            self.done("summary", C60, *arguments)
+            self.assertTrue(arguments[1].read_text().startswith("input "))
 
     def test_measures_the_shape_that_is_asked_for(self):
         at = self.summary(TWO_BALLS, "--alpha2", "-1,2")["at"]
