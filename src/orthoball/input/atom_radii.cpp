@@ -155,8 +155,8 @@ void AtomRadii::read_file(const std::string& path, bool limited) {
     if (fields.empty()) continue;
     if (fields.size() > 3 || fields.size() < 2) {
       throw ParseError(path, lines.number(),
-                       "the line has " + std::to_string(fields.size()) +
-                           " words; a line of a radius file reads ELEMENT radius or "
+                       "the line has " + counted(fields.size(), "word") +
+                           "; a line of a radius file reads ELEMENT radius or "
                            "RESIDUE ATOM radius");
     }
     const AtomRadius radius{number_at(source, lines.number(), fields.back(), "radius"), path};

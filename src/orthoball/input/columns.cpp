@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "orthoball/error.h"
+#include "orthoball/input/fields.h"
 #include "orthoball/input/source.h"
 
 namespace orthoball {
@@ -105,10 +106,9 @@ Columns chosen_columns(const std::string& file, const ReadOptions& options,
     }
     if (chosen.coordinates.size() < needed) {
       throw ParseError(file, shape.line,
-                       std::to_string(shape.columns) +
-                           (shape.columns == 1 ? " column" : " columns") + " for " +
-                           std::to_string(needed) + " coordinates" +
-                           (has_weight ? " and a weight" : "") + "; one column each is needed");
+                       counted(shape.columns, "column") + " for " + std::to_string(needed) +
+                           " coordinates" + (has_weight ? " and a weight" : "") +
+                           "; one column each is needed");
     }
   }
   chosen.dimension = static_cast<int>(chosen.coordinates.size());

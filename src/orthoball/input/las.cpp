@@ -14,6 +14,7 @@
 #include "orthoball/error.h"
 #include "orthoball/input/binary_rows.h"
 #include "orthoball/input/decimal.h"
+#include "orthoball/input/fields.h"
 #include "orthoball/input/formats.h"
 
 namespace orthoball {
@@ -125,7 +126,7 @@ Header header_of(const Source& source) {
   }
   const std::size_t present = (bytes.size() - header.data) / header.record;
   if (header.points > present) {
-    fail(minor == 4 ? 247 : 107, std::to_string(header.points) + " points announced, " +
+    fail(minor == 4 ? 247 : 107, counted(header.points, "point") + " announced, " +
                                      std::to_string(present) + " found; the file is incomplete");
   }
   return header;

@@ -11,16 +11,13 @@
 #include "orthoball/error.h"
 #include "orthoball/input/atom_radii.h"
 #include "orthoball/input/elements.h"
+#include "orthoball/input/fields.h"
 
 // From the atoms of a file to its sites. Alternates are chosen first, then whole classes of atoms
 // are dropped (chains, waters, ligands, hydrogens), then each atom that is left gets its radius.
 
 namespace orthoball {
 namespace {
-
-std::string count_of(std::size_t count, const char* noun) {
-  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
-}
 
 template <class Predicate>
 std::size_t drop(std::vector<Atom>& atoms, Predicate is_dropped) {
@@ -107,7 +104,7 @@ void choose_alternates(Molecule& molecule, const MoleculeOptions& options) {
   if (dropped == 0) return;
   const std::string rule = wanted.empty() ? "the highest occupancy, the first on ties"
                                           : quoted(wanted) + ", else the highest occupancy";
-  molecule.notes.push_back("alternates: " + rule + "; " + count_of(dropped, "atom") + " left out" +
+  molecule.notes.push_back("alternates: " + rule + "; " + counted(dropped, "atom") + " left out" +
                            (wanted.empty() ? " (--altloc X prefers X)" : ""));
 }
 
@@ -134,7 +131,7 @@ void choose_chains(const Source& source, Molecule& molecule,
     return std::find(wanted.begin(), wanted.end(), atom.chain) == wanted.end();
   });
   if (dropped != 0) {
-    molecule.notes.push_back("chains: " + count_of(dropped, "atom") + " of others left out");
+    molecule.notes.push_back("chains: " + counted(dropped, "atom") + " of others left out");
   }
 }
 
@@ -143,7 +140,7 @@ void drop_classes(Molecule& molecule, const MoleculeOptions& options) {
     if (is_kept) return;
     const std::size_t dropped = drop(molecule.atoms, belongs);
     if (dropped == 0) return;
-    molecule.notes.push_back(std::string(what) + " dropped: " + count_of(dropped, "atom") + " (--" +
+    molecule.notes.push_back(std::string(what) + " dropped: " + counted(dropped, "atom") + " (--" +
                              option + " keep keeps them)");
   };
   apply(options.waters, "waters", "waters",
@@ -172,7 +169,7 @@ std::string assign_radii(const Source& source, Molecule& molecule, const ReadOpt
                                         [](const Atom& atom) { return atom.radius.nearest < 0; });
     if (negative != 0) {
       molecule.warnings.push_back(
-          count_of(static_cast<std::size_t>(negative), "atom") +
+          counted(static_cast<std::size_t>(negative), "atom") +
           " with a negative radius -r, taken as an imaginary ball of weight -r^2");
     }
     return "the file's own";
@@ -186,7 +183,7 @@ std::string assign_radii(const Source& source, Molecule& molecule, const ReadOpt
                       [](const Atom& atom) { return is_hydrogen(atom.element); });
     if (hydrogens != 0) {
       molecule.warnings.push_back("protor radii contain the hydrogens, and " +
-                                  count_of(static_cast<std::size_t>(hydrogens), "hydrogen") +
+                                  counted(static_cast<std::size_t>(hydrogens), "hydrogen") +
                                   " of the file have balls of their own (--hydrogens drop)");
     }
   }
@@ -275,13 +272,13 @@ std::string RadiusAssignment::description() const {
       separator = ", ";
     }
   }
-  if (defaulted_ != 0) text += "; " + default_text_ + " for " + count_of(defaulted_, "atom");
+  if (defaulted_ != 0) text += "; " + default_text_ + " for " + counted(defaulted_, "atom");
   return text + ')';
 }
 
 void RadiusAssignment::warn(std::vector<std::string>& warnings) const {
   if (defaulted_ == 0) return;
-  warnings.push_back("default radius " + default_text_ + " for " + count_of(defaulted_, "atom") +
+  warnings.push_back("default radius " + default_text_ + " for " + counted(defaulted_, "atom") +
                      ": " + listed_ + (defaulted_ > kListed ? "; ..." : ""));
 }
 

@@ -119,9 +119,8 @@ Reading read_npy(const Source& source, const ReadOptions& options) {
   if (!is_all_there || header.columns > present + kLargestInput) {
     throw ParseError(source.name, 0,
                      "byte " + std::to_string(source.bytes.size()) + ": " +
-                         std::to_string(header.rows) + " rows of " +
-                         std::to_string(header.columns) +
-                         " numbers announced, fewer are there; the file is incomplete");
+                         counted(header.rows, "row") + " of " + counted(header.columns, "number") +
+                         " announced, fewer are there; the file is incomplete");
   }
   BinaryRows rows(
       source, chosen_columns(

@@ -44,7 +44,7 @@ class Off {
   void read_vertices(TextRows& sites) {
     for (std::size_t vertex = 0; vertex < vertices_; ++vertex) {
       if (!next_line()) {
-        fail_at(lines_.number(), std::to_string(vertices_) + " vertices announced, " +
+        fail_at(lines_.number(), counted(vertices_, "vertex") + " announced, " +
                                      std::to_string(vertex) + " found; the two must agree");
       }
       if (fields_.size() < axes_)

@@ -174,9 +174,9 @@ Reading read_ascii(const Source& source, const ReadOptions& options, Header head
     }
     if (at != fields.size() || scalars.size() != header.names.size()) {
       throw ParseError(source.name, line,
-                       std::to_string(fields.size()) +
-                           " numbers do not make the vertex that the header declares; each vertex "
-                           "needs a line with all its properties");
+                       "a line of " + counted(fields.size(), "number") +
+                           ", which is not the vertex that the header declares; each vertex needs "
+                           "a line with all its properties");
     }
     sites.add(line, scalars);
     if (!has_list) row += sites.add_plain(header.body, {.most = header.vertex.count - row - 1});

@@ -46,8 +46,8 @@ void read_place(const Source& source, std::size_t line, const std::vector<std::s
                         words[5].find('.') != std::string_view::npos;
   if (!has_number && !has_both) {
     throw ParseError(source.name, line,
-                     "the line has " + std::to_string(words.size()) +
-                         " words; 10 are needed, ATOM serial name residue number x y z charge "
+                     "the line has " + counted(words.size(), "word") +
+                         "; 10 are needed, ATOM serial name residue number x y z charge "
                          "radius, or 11 with a chain before the number");
   }
   if (has_both) atom.chain = words[4].substr(0, 1);

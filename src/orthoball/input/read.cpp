@@ -158,10 +158,10 @@ void check_options(const ReadOptions& options) {
   if (options.columns.empty()) return;
   const std::size_t columns = options.columns.size();
   if (columns != 2 && columns != 3) {
-    refuse_options(std::to_string(columns) + " coordinate columns; there must be 2 or 3");
+    refuse_options(counted(columns, "coordinate column") + "; there must be 2 or 3");
   }
   if (options.dimension && columns != static_cast<std::size_t>(*options.dimension)) {
-    refuse_options(std::to_string(columns) + " coordinate columns for dimension " +
+    refuse_options(counted(columns, "coordinate column") + " for dimension " +
                    std::to_string(*options.dimension) + "; they must be as many");
   }
 }

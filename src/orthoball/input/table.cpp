@@ -183,8 +183,8 @@ Reading read_table(const Source& source, const ReadOptions& options) {
   }
   if (announced && *announced != sites.size()) {
     throw ParseError(source.name, first_line,
-                     std::to_string(*announced) + " points announced, " +
-                         std::to_string(sites.size()) + " found; the two must agree");
+                     counted(*announced, "point") + " announced, " + std::to_string(sites.size()) +
+                         " found; the two must agree");
   }
   return std::move(sites).reading();
 }

@@ -87,9 +87,8 @@ void TextRows::add(std::size_t line, std::span<const std::string_view> fields) {
   if (lines_.empty()) choose(line, fields);
   if (fields.size() != count_) {
     throw ParseError(source_.name, line,
-                     std::to_string(fields.size()) + (fields.size() == 1 ? " column" : " columns") +
-                         ", expected " + std::to_string(count_) + " as on line " +
-                         std::to_string(first_line_));
+                     counted(fields.size(), "column") + ", expected " + std::to_string(count_) +
+                         " as on line " + std::to_string(first_line_));
   }
   DecimalNumber weight;
   for (std::size_t axis = 0; axis < numbers_.size(); ++axis) {

@@ -121,10 +121,10 @@ AtomColumns columns_of(const Source& source, std::size_t line, std::string_view 
     const std::size_t count = count_at(source, line, parts[i + 2], "a count in Properties");
     if (count == 0 || count > kMostColumns) fail("Properties has a count out of range");
     if (parts[i] == "pos") {
-      if (count != 3) fail("pos has " + std::to_string(count) + " columns, 3 are needed");
+      if (count != 3) fail("pos has " + counted(count, "column") + ", 3 are needed");
       columns.x = columns.least;
     } else if (parts[i] == "radius") {
-      if (count != 1) fail("radius has " + std::to_string(count) + " columns, 1 is needed");
+      if (count != 1) fail("radius has " + counted(count, "column") + ", 1 is needed");
       columns.radius = columns.least;
     } else if (parts[i] == "species" || (parts[i] == "Z" && columns.element == kNoColumn)) {
       columns.element = columns.least;
@@ -147,8 +147,7 @@ AtomColumns columns_of_comment(const Source& source, std::size_t line, std::stri
     split_at_blanks(*lattice, numbers);
     if (numbers.size() != 9) {
       warnings.push_back("line " + std::to_string(line) + ": Lattice has " +
-                         std::to_string(numbers.size()) +
-                         " numbers instead of 9; the cell is not used");
+                         counted(numbers.size(), "number") + " instead of 9; the cell is not used");
     }
   }
   const auto properties = value_of(source, line, comment, "Properties");
@@ -177,7 +176,7 @@ Atom atom_of(const Source& source, std::size_t line, const std::vector<std::stri
              const AtomColumns& columns) {
   if (words.size() < columns.least || (columns.is_exact && words.size() != columns.least)) {
     throw ParseError(source.name, line,
-                     "the line has " + std::to_string(words.size()) + " columns; " +
+                     "the line has " + counted(words.size(), "column") + "; " +
                          (columns.is_exact ? std::to_string(columns.least) + " as Properties says"
                                            : "element x y z") +
                          " are needed");
@@ -211,8 +210,8 @@ void read_frame(const Source& source, Lines& lines, std::size_t count, bool is_t
   for (std::size_t i = 0; i < count; ++i) {
     if (!lines.next(line) || trimmed(line).empty()) {
       throw ParseError(source.name, head,
-                       "the count is " + std::to_string(count) + ", but " + std::to_string(i) +
-                           " atoms follow; the number of atoms is needed");
+                       "the count is " + std::to_string(count) + ", but " + counted(i, "atom") +
+                           (i == 1 ? " follows" : " follow") + "; the number of atoms is needed");
     }
     if (!is_taken) continue;
     split_at_blanks(line, words);
