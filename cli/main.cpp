@@ -7,11 +7,13 @@
 #include <iostream>
 #include <memory>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/output_file.h"
 #include "cli/usage_error.h"
 #include "orthoball/error.h"
 #include "orthoball/large_blocks.h"
@@ -55,9 +57,13 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
     if (command.empty()) return failed(kWrongUsage, "a command is needed; see orthoball --help");
     return failed(kWrongUsage, std::string(error.what()) + "; see orthoball" + command + " --help");
   }
-  app.exit(error);
-  std::cout.flush();
-  return std::cout ? kDone : failed(kCouldNot, "standard output: could not be written");
+  std::ostringstream text;
+  app.exit(error, text);
+  write_output("-", "", [&](orthoball::ByteSink& sink) {
+    sink.text(text.str());
+    sink.flush();
+  });
+  return kDone;
 }
 
 // An empty value, mostly of a shell variable that is not set, is not the same as none.
@@ -98,6 +104,17 @@ void add_commands(CLI::App& app) {
       "  orthoball shape bunny.off --alpha2 auto -o surface.ply");
 }
 
+int run(int argc, char** argv) {
+  CLI::App app("Every alpha shape of weighted points in the plane and in space, exactly.");
+  add_commands(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return answer(app, error);
+  }
+  return kDone;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -106,12 +123,8 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   std::ios::sync_with_stdio(false);
   const orthoball::LargeBlockReuse reuse;  // from one stage to the next
-  CLI::App app("Every alpha shape of weighted points in the plane and in space, exactly.");
   try {
-    add_commands(app);
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return answer(app, error);
+    return run(argc, argv);
   } catch (const UsageError& error) {
     return failed(kWrongUsage, error.what());
   } catch (const orthoball::ParseError& error) {
@@ -121,6 +134,8 @@ int main(int argc, char** argv) {
     return failed(is_option ? kWrongUsage : kBadData, error.what());
   } catch (const orthoball::LimitError& error) {
     return failed(kCouldNot, error.what());
+  } catch (const ReaderGone&) {
+    return kCouldNot;
   } catch (const orthoball::OutputError& error) {
     return failed(kCouldNot, error.what());
   } catch (const std::bad_alloc&) {
@@ -128,5 +143,4 @@ int main(int argc, char** argv) {
   } catch (const std::length_error&) {
     return failed(kCouldNot, "out of memory: an array would be too large");
   }
-  return kDone;
 }

@@ -115,8 +115,10 @@ std::ostream& OutputFile::standard() { return std::cout; }
 
 void OutputFile::fail(const std::string& what) const {
   const int code = errno;
-  throw orthoball::OutputError((is_standard_ ? "standard output" : path_) + ": " + what +
-                               (code == 0 ? "" : ": " + std::string(std::strerror(code))));
+  const std::string message = (is_standard_ ? "standard output" : path_) + ": " + what +
+                              (code == 0 ? "" : ": " + std::string(std::strerror(code)));
+  if (is_standard_ && code == EPIPE) throw ReaderGone(message);
+  throw orthoball::OutputError(message);
 }
 
 std::size_t write_output(const std::string& path, const std::string& missing,

@@ -9,6 +9,13 @@
 
 #include "orthoball/output/byte_sink.h"
 
+/// Whoever read standard output needs no more, as `head` does. That is to be said by the status
+/// only.
+class ReaderGone : public orthoball::OutputError {
+ public:
+  using OutputError::OutputError;
+};
+
 /// Where a command's data goes: standard output for "-", otherwise a file that appears whole or not
 /// at all. It is written beside its place under another name, takes its place on `commit` with the
 /// permissions of the file that was there, and is removed if that never comes, also when a signal
@@ -23,7 +30,7 @@ class OutputFile {
 
   [[nodiscard]] std::ostream& stream() { return is_standard_ ? standard() : file_; }
   /// Says that writing has failed, with the system's reason.
-  /// @throws orthoball::OutputError always.
+  /// @throws orthoball::OutputError always; ReaderGone where that is why.
   [[noreturn]] void fail() const { fail("could not be written"); }
   /// Everything is written.
   /// @throws orthoball::OutputError if it was not.

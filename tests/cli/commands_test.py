@@ -211,12 +211,15 @@ class ExitStatuses(InAFolder):
                                         text=True, check=False)
                 self.assertEqual(result.returncode, 3, arguments)
                 self.assertIn("standard output", result.stderr)
-        reader, writer = os.pipe()
-        os.close(reader)
-        result = subprocess.run([PROGRAM, "filter", SAMPLES / "linked_tori.csv"], stdout=writer,
-                                stderr=subprocess.PIPE, text=True, check=False)
-        os.close(writer)
-        self.assertEqual(result.returncode, 3)
+
+    def test_a_reader_that_needs_no_more_is_3_without_a_word(self):
+        for arguments in [["filter", SAMPLES / "linked_tori.csv"], ["summary", EIGHT], ["--help"]]:
+            reader, writer = os.pipe()
+            os.close(reader)
+            result = subprocess.run([PROGRAM, *arguments], stdout=writer, stderr=subprocess.PIPE,
+                                    text=True, check=False)
+            os.close(writer)
+            self.assertEqual((result.returncode, result.stderr), (3, ""), arguments)
 
     def test_help_and_version_are_data(self):
         self.assertIn("summary", self.done("--help").stdout)
