@@ -71,49 +71,70 @@ std::string counted(std::size_t count, const std::string& noun) {
                      is_vertex ? noun.substr(0, noun.size() - 2) + "ices" : noun + "s");
 }
 
-void report(const ShapeOptions& options, const ChosenAlpha& alpha, const orthoball::ShapeMesh& mesh,
-            const std::string& format) {
+// What the boundary is made of.
+struct Contents {
+  std::size_t regular;  // triangles in space, edges in the plane
+  std::size_t singular_triangles, singular_edges, singular_vertices;
+};
+
+Contents contents_of(const orthoball::ShapeMesh& mesh) {
   const auto regular = [](const std::vector<orthoball::Role>& roles) {
     return static_cast<std::size_t>(
         std::count(roles.begin(), roles.end(), orthoball::Role::regular));
   };
-  const std::size_t regular_triangles = regular(mesh.triangle_roles);
-  const std::size_t singular_triangles = mesh.triangles.size() - regular_triangles;
-  const std::size_t regular_edges = regular(mesh.edge_roles);
-  const std::size_t singular_edges = mesh.edges.size() - regular_edges;
-  const std::size_t isolated = mesh.isolated.size();
-  if (options.json) {
-    nlohmann::ordered_json json{
-        {"file", options.output},         {"format", format},
-        {"index", alpha.index},           {"alpha2", alpha.alpha2},
-        {"alpha", alpha.alpha},           {"regularized", options.regularized},
-        {"vertices", mesh.vertex_count()}};
-    json["regular"] = mesh.dimension == 3 ? regular_triangles : regular_edges;
-    json["singular"] = mesh.dimension == 3
-                           ? nlohmann::ordered_json{isolated, singular_edges, singular_triangles}
-                           : nlohmann::ordered_json{isolated, singular_edges};
-    const std::string text = json_text(json) + "\n";
-    write_output("-", "", [&](orthoball::ByteSink& sink) {
-      sink.text(text);
-      sink.flush();
-    });
-    return;
-  }
-  std::string contents = mesh.dimension == 3 ? counted(regular_triangles, "regular triangle")
-                                             : counted(regular_edges, "regular edge");
+  const std::size_t triangles = regular(mesh.triangle_roles), edges = regular(mesh.edge_roles);
+  return {mesh.dimension == 3 ? triangles : edges, mesh.triangles.size() - triangles,
+          mesh.edges.size() - edges, mesh.isolated.size()};
+}
+
+void write_report(const ShapeOptions& options, const ChosenAlpha& alpha,
+                  const orthoball::ShapeMesh& mesh, const std::string& format) {
+  const Contents contents = contents_of(mesh);
+  nlohmann::ordered_json json{
+      {"file", options.output},         {"format", format},
+      {"index", alpha.index},           {"alpha2", alpha.alpha2},
+      {"alpha", alpha.alpha},           {"regularized", options.regularized},
+      {"vertices", mesh.vertex_count()}};
+  json["regular"] = contents.regular;
+  json["singular"] = {contents.singular_vertices, contents.singular_edges};
+  if (mesh.dimension == 3) json["singular"].push_back(contents.singular_triangles);
+  const std::string text = json_text(json) + "\n";
+  write_output("-", "", [&](orthoball::ByteSink& sink) {
+    sink.text(text);
+    sink.flush();
+  });
+}
+
+void say_report(const ShapeOptions& options, const ChosenAlpha& alpha,
+                const orthoball::ShapeMesh& mesh) {
+  const Contents contents = contents_of(mesh);
+  std::string text =
+      counted(contents.regular, mesh.dimension == 3 ? "regular triangle" : "regular edge");
   if (!options.regularized) {
-    if (mesh.dimension == 3) contents += ", " + counted(singular_triangles, "singular triangle");
-    contents += ", " + counted(singular_edges, "singular edge") + ", " +
-                counted(isolated, "singular vertex");
+    if (mesh.dimension == 3)
+      text += ", " + counted(contents.singular_triangles, "singular triangle");
+    text += ", " + counted(contents.singular_edges, "singular edge") + ", " +
+            counted(contents.singular_vertices, "singular vertex");
   }
-  say(options.input, text_of(alpha) + ": " + contents);
+  say(options.input, text_of(alpha) + ": " + text);
+}
+
+// Of what the file lacks.
+void warn(const ShapeOptions& options, const orthoball::ShapeMesh& mesh,
+          const std::string& format) {
+  const Contents contents = contents_of(mesh);
   const auto mesh_format = orthoball::mesh_format(format);
-  if (mesh_format && !orthoball::holds_edges(*mesh_format) && singular_edges + isolated > 0) {
+  const std::size_t thin = contents.singular_edges + contents.singular_vertices;
+  if (mesh_format && !orthoball::holds_edges(*mesh_format) && thin > 0) {
     say(options.input, fmt::format("warning: {} holds triangles only; {} and {} are left out",
-                                   format, counted(singular_edges, "singular edge"),
-                                   counted(isolated, "singular vertex")));
+                                   format, counted(contents.singular_edges, "singular edge"),
+                                   counted(contents.singular_vertices, "singular vertex")));
   }
-  if (contents.find_first_of("123456789") == std::string::npos) {
+  if (mesh_format && options.roles && !orthoball::holds_roles(*mesh_format)) {
+    say(options.input,
+        fmt::format("warning: {} has no place for roles; they are left out", format));
+  }
+  if (contents.regular + contents.singular_triangles + thin == 0) {
     say(options.input, "warning: the shape has no boundary at this alpha; the file has none");
   }
 }
@@ -150,7 +171,12 @@ void run(const ShapeOptions& options) {
     if (format == "svg") write_shape_svg(sink, plane, input.shapes.points(), planar);
   });
   progress.end();
-  report(options, alpha, mesh, format);
+  if (options.json) {
+    write_report(options, alpha, mesh, format);
+  } else {
+    say_report(options, alpha, mesh);
+  }
+  warn(options, mesh, format);
 }
 
 }  // namespace

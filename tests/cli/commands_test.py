@@ -650,6 +650,11 @@ class Shape(InAFolder):
         output = self.folder / "surface.stl"
         self.assertIn("left out", self.done("shape", TWO_BALLS, "--alpha2", "2", "-o",
                                             output).stderr)
+        words = "no place for roles"
+        self.assertIn(words, self.done("shape", C60, "-o", output, "--roles").stderr)
+        self.assertIn(words, self.done("shape", C60, "-o", output, "--roles", "--json").stderr)
+        self.assertNotIn(words, self.done("shape", C60, "-o", output).stderr)
+        self.assertNotIn(words, self.done("shape", C60, "-o", self.folder / "a.off", "--roles").stderr)
 
     def test_regularized_leaves_singular_simplices_out(self):
         result = self.done("shape", TWO_BALLS, "--alpha2", "2", "--format", "obj", "--regularized")

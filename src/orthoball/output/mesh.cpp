@@ -169,6 +169,8 @@ std::optional<MeshFormat> mesh_format(std::string_view ending) {
   return std::nullopt;
 }
 
+bool holds_roles(MeshFormat format) { return format != MeshFormat::stl; }
+
 bool holds_edges(MeshFormat format) {
   return format != MeshFormat::off && format != MeshFormat::stl;
 }

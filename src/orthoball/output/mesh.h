@@ -32,6 +32,9 @@ struct MeshOptions {
 /// Whether a format has a place for edges and single vertices.
 [[nodiscard]] bool holds_edges(MeshFormat format);
 
+/// Whether a format has a place for the roles of simplices.
+[[nodiscard]] bool holds_roles(MeshFormat format);
+
 /// Writes a boundary. What the format cannot hold is left out, see `holds_edges`.
 /// @throws OutputError; LimitError for a GLB of 4 GiB or more, an STL of 2^32 triangles or more.
 void write_mesh(ByteSink& sink, const ShapeMesh& mesh, const MeshOptions& options);

@@ -43,6 +43,8 @@ TEST(Mesh, FormatsAreToldByTheirNames) {
   EXPECT_FALSE(mesh_format("step").has_value());
   EXPECT_FALSE(holds_edges(MeshFormat::stl));
   EXPECT_TRUE(holds_edges(MeshFormat::vtu));
+  EXPECT_FALSE(holds_roles(MeshFormat::stl));
+  EXPECT_TRUE(holds_roles(MeshFormat::off));
 }
 
 TEST(Mesh, PlyHoldsVerticesWithRowsThenTrianglesThenEdgesWithRoles) {
