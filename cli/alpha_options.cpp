@@ -30,7 +30,7 @@ std::uint32_t spectrum_size(const Loaded& input) {
 ChosenAlpha alpha_of(const Loaded& input, double alpha2) {
   const auto index =
       with_filtration(input, [&](const auto& filtration) { return filtration.index(alpha2); });
-  return {alpha2, orthoball::alpha_from_alpha2(alpha2), index, {}};
+  return {alpha2, orthoball::alpha_from_alpha2(alpha2), index, {}, {}};
 }
 
 // Calls `use` with the parts of a list between commas.
@@ -92,7 +92,7 @@ ChosenAlpha alpha_at(const Loaded& input, std::uint32_t index) {
   const double alpha2 =
       index == 0 ? -std::numeric_limits<double>::infinity()
                  : with_filtration(input, [&](const auto& f) { return f.alpha2(index); });
-  return {alpha2, orthoball::alpha_from_alpha2(alpha2), index, {}};
+  return {alpha2, orthoball::alpha_from_alpha2(alpha2), index, {}, {}};
 }
 
 ChosenAlpha automatic_alpha(const Loaded& input) {
@@ -103,8 +103,7 @@ ChosenAlpha automatic_alpha(const Loaded& input) {
   const orthoball::NotableAlpha taken = with_filtration(input, [&](const auto& filtration) {
     return orthoball::automatic_alpha(filtration, orthoball::notable_alphas(filtration), meaning);
   });
-  return {taken.alpha2, taken.alpha, taken.index.value_or(0),
-          fmt::format("alpha2 auto: {}, {}", taken.name, taken.reason)};
+  return {taken.alpha2, taken.alpha, taken.index.value_or(0), taken.name, taken.reason};
 }
 
 std::string text_of(const ChosenAlpha& alpha) {
@@ -118,7 +117,8 @@ std::string text_of(const ChosenAlpha& alpha) {
 
 void say_how(const InputOptions& options, const std::vector<ChosenAlpha>& chosen) {
   for (const ChosenAlpha& alpha : chosen) {
-    if (!alpha.how.empty()) say(options, alpha.how);
+    if (alpha.name.empty()) continue;
+    say(options, fmt::format("alpha2 auto: {}, {}", alpha.name, alpha.reason));
   }
 }
 

@@ -22,7 +22,8 @@ struct ChosenAlpha {
   double alpha2;        ///< length^2
   double alpha;         ///< its signed root
   std::uint32_t index;  ///< of the spectrum; 0 below the first entry
-  std::string how;      ///< for --alpha2 auto: which notable alpha was taken and why; else empty
+  std::string name;     ///< for --alpha2 auto: of the notable alpha that was taken; else empty
+  std::string reason;   ///< and why it is notable
 };
 
 /// Declares --alpha2, --alpha, --inverse-alpha, --index on a command.

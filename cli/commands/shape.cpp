@@ -90,11 +90,14 @@ Contents contents_of(const orthoball::ShapeMesh& mesh) {
 void write_report(const ShapeOptions& options, const ChosenAlpha& alpha,
                   const orthoball::ShapeMesh& mesh, const std::string& format) {
   const Contents contents = contents_of(mesh);
-  nlohmann::ordered_json json{
-      {"file", options.output},         {"format", format},
-      {"index", alpha.index},           {"alpha2", alpha.alpha2},
-      {"alpha", alpha.alpha},           {"regularized", options.regularized},
-      {"vertices", mesh.vertex_count()}};
+  nlohmann::ordered_json json{{"file", options.output}, {"format", format}};
+  json["name"] = nullptr;
+  if (!alpha.name.empty()) json["name"] = alpha.name;
+  json["index"] = alpha.index;
+  json["alpha2"] = alpha.alpha2;
+  json["alpha"] = alpha.alpha;
+  json["regularized"] = options.regularized;
+  json["vertices"] = mesh.vertex_count();
   json["regular"] = contents.regular;
   json["singular"] = {contents.singular_vertices, contents.singular_edges};
   if (mesh.dimension == 3) json["singular"].push_back(contents.singular_triangles);

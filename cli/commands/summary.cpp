@@ -121,9 +121,11 @@ Json json_report(const Loaded& input, const orthoball::Filtration<D>& filtration
   json["at"] = Json::array();
   for (std::size_t i = 0; i < facts.at.size(); ++i) {
     const auto& s = facts.at[i];
-    json["at"].push_back({{"index", s.index},
+    const ChosenAlpha& asked = facts.asked[i];
+    json["at"].push_back({{"name", asked.name.empty() ? Json() : Json(asked.name)},
+                          {"index", s.index},
                           {"alpha2", number(s.alpha2)},
-                          {"alpha", number(facts.asked[i].alpha)},
+                          {"alpha", number(asked.alpha)},
                           {"betti", s.betti},
                           {"euler", s.euler},
                           {"volume", number(s.volume)},

@@ -636,6 +636,15 @@ class Shape(InAFolder):
         self.assertIn("alpha2 auto: dual_complex", self.done("shape", C60, "-o", output).stderr)
         self.assertIn("alpha2 auto: solid", self.done("shape", EIGHT, "-o", output).stderr)
 
+    def test_the_report_names_the_alpha_that_auto_took(self):
+        output = self.folder / "surface.ply"
+        for sample, options, name in [(C60, [], "dual_complex"), (C60, ["--alpha2", "auto"], "dual_complex"),
+                                      (EIGHT, [], "solid"), (EIGHT, ["--alpha2", "1"], None)]:
+            report = json.loads(self.done("shape", sample, *options, "-o", output, "--json").stdout)
+            self.assertEqual(report["name"], name)
+        at = json.loads(self.done("summary", EIGHT, "--alpha2", "1,auto", "--json").stdout)["at"]
+        self.assertEqual([entry["name"] for entry in at], [None, "solid"])
+
     def test_the_report_counts_what_is_written(self):
         output = self.folder / "surface.ply"
         report = json.loads(self.done("shape", C60, "--alpha2", "100", "-o", output,
