@@ -173,6 +173,16 @@ std::string rows_text(const Rows& rows, const Write& write) {
                      rows.size() > kShown ? ", ..." : "");
 }
 
+// " CA of ALA 12 in A", as far as the file says; nothing for points.
+std::string atom_text(const orthoball::SiteLabels& labels, std::size_t row) {
+  const auto label = [&](const char* before, const std::vector<std::string>& of_row) {
+    return row < of_row.size() && !of_row[row].empty() ? before + of_row[row] : std::string();
+  };
+  const std::string atom = label(" ", labels.atom);
+  return (atom.empty() ? label(" ", labels.element) : atom) + label(" of ", labels.residue) +
+         label(" ", labels.residue_id) + label(" in ", labels.chain);
+}
+
 // "4 vertices, 1 triangle": how many there are of each dimension.
 std::string counts_text(std::span<const std::uint32_t> counts) {
   const std::vector<std::string> one{"vertex", "edge", "triangle", "tetrahedron"};
@@ -242,8 +252,9 @@ std::string text_report(const Loaded& input, const orthoball::Filtration<D>& fil
   text += line("duplicates", rows_text(triangulation.duplicates(), [](const auto& d) {
                  return fmt::format("{} = {}", d.row.row(), d.representative.row());
                }));
-  text += line("hidden", rows_text(triangulation.hidden(),
-                                   [](auto row) { return std::to_string(row.row()); }));
+  text += line("hidden", rows_text(triangulation.hidden(), [&](auto row) {
+                 return std::to_string(row.row()) + atom_text(input.reading.labels, row.row());
+               }));
   text += line("simplices", counts_text(facts.simplices));
   text += line("attached", counts_text(std::span(facts.attached).first(D)));
   text +=

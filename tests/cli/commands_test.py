@@ -442,6 +442,13 @@ class Summary(InAFolder):
         self.assertEqual(summary["distinct_sites"], 3)
         self.assertEqual(summary["input"]["sites"], 4)
 
+    def test_hidden_atoms_are_named_in_the_text(self):
+        atom = "ATOM      {}  {:3} GLY A  12      11.104   6.134  -6.504  1.00 10.00           {}\n"
+        path = self.file("same.pdb", atom.format(1, "CA", "C") + atom.format(2, "HA2", "H"))
+        self.assertRegex(self.done("summary", path).stdout, r"\nhidden +1 \(row 1 HA2 of GLY 12 in A\)\n")
+        path = self.file("same.xyz", "2\n\nC 0 0 0\nH 0 0 0\n")
+        self.assertRegex(self.done("summary", path).stdout, r"\nhidden +1 \(row 1 H\)\n")
+
     def test_empty_input_is_an_answer_where_it_is_allowed(self):
         path = self.file("empty.csv", "x,y,z\n")
         summary = self.summary(path, "--allow-empty")
