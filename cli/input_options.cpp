@@ -9,13 +9,16 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <new>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "cli/usage_error.h"
 #include "orthoball/error.h"
 #include "orthoball/input/decimal.h"
 
@@ -27,8 +30,20 @@ const std::map<std::string, ProgressMode> kProgressModes{{"auto", ProgressMode::
 
 constexpr unsigned kMostThreads = 1024;
 
-std::string joined(const std::vector<std::string>& words) {
-  return fmt::format("{}", fmt::join(words, ", "));
+// The words with commas between them, in lines of the width that help has.
+std::string listed(const std::vector<std::string>& words) {
+  constexpr std::size_t kWidth = 70;
+  std::string text;
+  std::size_t begin = 0;  // of the line
+  for (const std::string& word : words) {
+    if (!text.empty()) text += ", ";
+    if (text.size() + word.size() - begin > kWidth) {
+      text.back() = '\n';
+      begin = text.size();
+    }
+    text += word;
+  }
+  return text;
 }
 
 void add_table_options(CLI::App& command, InputOptions& options) {
@@ -148,7 +163,7 @@ void add_input_options(CLI::App& command, InputOptions& options) {
   const std::string group = "Input";
   command
       .add_option("--input-format", options.read.format,
-                  "read INPUT as one of " + joined(orthoball::input_formats()))
+                  "read INPUT as one of\n" + listed(orthoball::input_formats()))
       ->type_name("NAME")
       ->check(CLI::IsMember(orthoball::input_formats()).description(""))
       ->group(group);
@@ -232,6 +247,13 @@ Loaded load(const InputOptions& options, Progress& progress, bool says_notes) {
       options.path, progress, [&] { return orthoball::AlphaShapes(std::move(points), build); });
   progress.end();
   return {std::move(reading), std::move(shapes)};
+}
+
+void require_other_file(const InputOptions& options, const std::string& output) {
+  std::error_code none;  // where one of them is not there
+  const bool is_file = std::filesystem::is_regular_file(output, none);
+  if (!is_file || !std::filesystem::equivalent(options.path, output, none)) return;
+  throw UsageError(output + ": is the input, which the output would replace; name another file");
 }
 
 orthoball::Threads threads_of(const InputOptions& options) {

@@ -40,6 +40,10 @@ struct Loaded {
   [[nodiscard]] std::string unit() const { return reading.is_molecule ? "Å" : ""; }
 };
 
+/// Before any work: an output must not take the place of its input.
+/// @throws UsageError
+void require_other_file(const InputOptions& options, const std::string& output);
+
 /// What --threads and --memory-limit allow.
 [[nodiscard]] orthoball::Threads threads_of(const InputOptions& options);
 [[nodiscard]] orthoball::MemoryBudget memory_of(const InputOptions& options);

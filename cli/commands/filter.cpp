@@ -29,6 +29,7 @@ std::string format_of(const FilterOptions& options) {
 }
 
 void run(const FilterOptions& options) {
+  require_other_file(options.input, options.output);
   check(options.alpha, false);
   Progress progress(
       options.input.progress, options.input.quiet,

@@ -147,6 +147,7 @@ void run(const ShapeOptions& options) {
   if (options.json && options.output == "-") {
     throw UsageError("shape --json: the report goes to standard output; the shape needs -o FILE");
   }
+  require_other_file(options.input, options.output);
   check(options.alpha, false);
   Progress progress(
       options.input.progress, options.input.quiet,

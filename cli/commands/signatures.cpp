@@ -174,6 +174,7 @@ void check_plot(const SignaturesOptions& options) {
   if (options.plot == options.output) {
     throw UsageError("--plot and -o name the same file; table and plot need one each");
   }
+  require_other_file(options.input, options.plot);
   const std::string ending = ending_of(options.plot);
   if (!ending.empty() && ending != "svg") {
     throw UsageError(
@@ -188,6 +189,7 @@ void run(const SignaturesOptions& options) {
         "--inverse-alpha and --index");
   }
   check_plot(options);
+  require_other_file(options.input, options.output);
   check(options.alpha, true);
   (void)range_from_text(options.plot_range);
   Progress progress(options.input.progress, options.input.quiet,
@@ -247,8 +249,7 @@ void add_output_options(CLI::App& command, SignaturesOptions& options) {
 void add_signatures_command(CLI::App& app) {
   auto options = std::make_shared<SignaturesOptions>();
   CLI::App* command = app.add_subcommand(
-      "signatures",
-      "Betti numbers, counts by role, volume, area and length as functions of alpha.");
+      "signatures", "Betti numbers, counts by role, volume, area and length at every alpha.");
   add_alpha_options(*command, options->alpha, true, "every index of the spectrum");
   command
       ->add_option("--samples", options->samples,

@@ -271,6 +271,7 @@ std::string text_report(const Loaded& input, const orthoball::Filtration<D>& fil
 }
 
 void run(const SummaryOptions& options) {
+  require_other_file(options.input, options.output);
   check(options.alpha, true);
   Progress progress(options.input.progress, options.input.quiet,
                     {Stage::reading, Stage::triangulation, Stage::filtration, Stage::signatures});
@@ -301,7 +302,7 @@ void run(const SummaryOptions& options) {
 void add_summary_command(CLI::App& app) {
   auto options = std::make_shared<SummaryOptions>();
   CLI::App* command = app.add_subcommand(
-      "summary", "What was read, how many simplices there are, and which alphas are notable.");
+      "summary", "What was read, how many simplices there are, which alphas are notable.");
   add_alpha_options(*command, options->alpha, true, "none; with it, the shape there is measured");
   const std::string group = "Output";
   command->add_option("-o,--output", options->output, "file, or - for standard output")

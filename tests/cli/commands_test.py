@@ -229,6 +229,11 @@ class ExitStatuses(InAFolder):
             self.assertIn("--alpha2", text)
             self.assertIn("Examples:", text)
 
+    def test_help_has_lines_of_100_characters_at_most(self):
+        for arguments in [[], ["summary"], ["signatures"], ["shape"], ["filter"]]:
+            text = self.done(*arguments, "--help").stdout
+            self.assertLessEqual(max(map(len, text.splitlines())), 100)
+
 
 class Files(InAFolder):
     def test_the_picture_of_the_readme_is_what_the_program_draws(self):
@@ -287,6 +292,17 @@ class Files(InAFolder):
             process.send_signal(number)
             process.wait()
         return process.returncode, sorted(path.name for path in self.folder.iterdir())
+
+    def test_an_output_that_is_the_input_is_refused(self):
+        points = self.file("points.txt", "0 0\n1 0\n0 1\n")
+        (self.folder / "link.svg").symlink_to(points)
+        for arguments in [["filter", points, "-o", points], ["summary", points, "-o", points],
+                          ["signatures", points, "-o", self.folder / ".." / self.folder.name / "points.txt"],
+                          ["signatures", points, "--plot", self.folder / "link.svg"],
+                          ["shape", points, "-o", points, "--format", "ply"],
+                          ["filter", self.folder / "link.svg", "-o", points, "--input-format", "table"]]:
+            self.assertIn("is the input", self.refused(2, *arguments))
+        self.assertEqual(points.read_text(), "0 0\n1 0\n0 1\n")
 
     def test_a_signal_leaves_no_unfinished_file(self):
         for number in [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]:
