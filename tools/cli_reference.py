@@ -24,7 +24,8 @@ def help_text(program, *command):
 def reference(program):
     overview = help_text(program)
     after = re.split(r"^Subcommands:\s*$|^Commands:\s*$", overview, flags=re.MULTILINE)[-1]
-    commands = re.findall(r"^  ([a-z]+)\s", after, flags=re.MULTILINE)
+    listed = after.strip("\n").split("\n\n")[0]  # what follows are words and examples
+    commands = re.findall(r"^  ([a-z]+)\s", listed, flags=re.MULTILINE)
     if not commands:
         raise SystemExit("no commands found in the program's --help")
     sections = [("orthoball", overview)]
