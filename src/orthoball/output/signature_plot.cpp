@@ -209,9 +209,8 @@ void SignaturePlot<D>::write(ByteSink& sink) const {
              shortened(options_.title, room, 17 * kBoldness));
   if (last_ > to_) {
     const double behind = options_.axis == PlotAxis::index ? std::floor(to_) + 1 : to_;
-    const std::string rest =
-        fmt::format("not shown: {} to {}", position_text(options_.axis, behind),
-                    position_text(options_.axis, last_));
+    std::string rest = "not shown: " + position_text(options_.axis, behind);
+    rest += std::isfinite(last_) ? " to " + position_text(options_.axis, last_) : " and beyond";
     write_text(sink, right_edge, 50, "text-anchor=\"end\" font-size=\"11\" fill=\"#5b6570\"", rest);
     room -= text_width(rest, 11) + 20;
   }

@@ -72,6 +72,15 @@ TEST(SignaturePlot, ShortensLongTextsAndKeepsThemWholeInTheDescription) {
   EXPECT_NE(svg.find("ww\u2026</text>"), std::string::npos);
 }
 
+TEST(SignaturePlot, SaysWhatIsBeyondTheDoubleRange) {
+  const Shapes<2> shapes({0, 0, 1e200, 0, 0, 1e200});
+  PlotOptions options;
+  options.marks = {{"connected", 2, shapes.filtration.alpha2(2)}};
+  const std::string svg = plot(shapes, options);
+  EXPECT_NE(svg.find(">not shown: 1 and beyond<"), std::string::npos);
+  EXPECT_NE(svg.find("connected (beyond double range)<"), std::string::npos);
+}
+
 TEST(SignaturePlot, OfNothingIsAPictureToo) {
   EXPECT_EQ(count(plot(Shapes<3>({}), {}), "class=\"curve\""), 8U);
   EXPECT_EQ(count(plot(Shapes<2>({1, 1}), {}), "class=\"curve\""), 6U);
