@@ -18,6 +18,10 @@
 
 namespace orthoball {
 
+/// [k]: a number of simplices of dimension k, 0..D.
+template <int D>
+using ByDimension = std::array<std::uint32_t, static_cast<std::size_t>(D) + 1>;
+
 /// What a simplex is at one index of the spectrum.
 enum class Role { exterior, singular, regular, interior };
 

@@ -9,7 +9,6 @@
 #include <cstddef>
 
 #include "orthoball/filtration/alpha.h"
-#include "orthoball/filtration/filter_steps.h"
 #include "orthoball/output/plot_panel.h"
 #include "orthoball/output/plot_text.h"
 #include "orthoball/topology/betti.h"
@@ -47,14 +46,12 @@ std::uint32_t index_of_share(const Filtration<D>& filtration) {
 // The last index at which the shape is anything but one component without tunnels and voids, or 1.
 template <int D>
 std::uint32_t last_change_of_topology(const Filtration<D>& filtration) {
-  FilterSteps<D> steps(filtration);
   BettiScan<D> scan(filtration);
   std::uint32_t last = 1;
   BettiNumbers<D> trivial{};
   trivial[0] = 1;
-  while (steps.next()) {
-    scan.advance(steps.entering());
-    if (scan.betti() != trivial) last = steps.index();
+  while (scan.next()) {
+    if (scan.betti() != trivial) last = scan.index();
   }
   return std::min(last + 1, filtration.spectrum_size());
 }

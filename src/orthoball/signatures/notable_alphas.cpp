@@ -13,7 +13,6 @@
 #include <limits>
 
 #include "orthoball/filtration/alpha.h"
-#include "orthoball/filtration/filter_steps.h"
 #include "orthoball/signatures/role_counts.h"
 #include "orthoball/topology/betti.h"
 #include "orthoball/topology/union_find.h"
@@ -89,16 +88,25 @@ MaybeIndex one_region(const Filtration<D>& filtration, MaybeIndex covered) {
     const auto& corners = corners_of(filtration, cell);
     for (std::size_t i = 1; i < corners.size(); ++i) regions.unite(corners[0], corners[i]);
   };
-  for (std::uint32_t cell = 0; cell < filtration.count(D); ++cell) {
-    if (filtration.enters(SimplexId(first + cell)) <= *covered) join(cell);
+  const std::span<const std::uint32_t> enters = filtration.enters().subspan(first);
+  for (std::uint32_t cell = 0; cell < enters.size(); ++cell) {
+    if (enters[cell] <= *covered) join(cell);
   }
   if (regions.set_count() == 1) return covered;
-  const std::span<const SimplexId> filter = filtration.filter();
-  for (std::size_t position = filtration.complex_size(*covered); position < filter.size();
-       ++position) {
-    if (filter[position].row() < first) continue;
-    join(filter[position].row() - first);
-    if (regions.set_count() == 1) return filtration.enters(filter[position]);
+  std::vector<std::uint32_t> joints;  // cells with corners in several regions: few
+  for (std::uint32_t cell = 0; cell < enters.size(); ++cell) {
+    const auto& corners = corners_of(filtration, cell);
+    const std::uint32_t region = regions.find(corners[0]);
+    const bool is_joint =
+        std::any_of(corners.begin() + 1, corners.end(),
+                    [&](std::uint32_t corner) { return regions.find(corner) != region; });
+    if (is_joint) joints.push_back(cell);
+  }
+  std::sort(joints.begin(), joints.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return enters[a] < enters[b]; });
+  for (const std::uint32_t cell : joints) {
+    join(cell);
+    if (regions.set_count() == 1) return enters[cell];
   }
   return {};  // not reached: all cells together are the convex hull
 }
@@ -128,17 +136,15 @@ std::vector<NotableAlpha> notable_alphas(const Filtration<D>& filtration) {
     RoleCounts<D> roles(filtration);
     std::array<RoleChangeCounts<D>, static_cast<std::size_t>(D)> counts;  // below the cells
     for (std::size_t k = 0; k < counts.size(); ++k) counts[k] = {filtration, static_cast<int>(k)};
-    FilterSteps<D> steps(filtration);
-    while (steps.next()) {
-      const std::uint32_t index = steps.index();
+    while (betti_scan.next()) {
+      const std::uint32_t index = betti_scan.index();
       RoleChanges<D> changes;
-      changes.entering = steps.entering();
+      changes.entering = betti_scan.entering();
       for (std::size_t k = 0; k < counts.size(); ++k) {
         changes.regular[k] = counts[k].regular.count(index);
         changes.interior[k] = counts[k].interior.count(index);
       }
       roles.advance(changes);
-      betti_scan.advance(steps.entering());
       const BettiNumbers<D> betti = betti_scan.betti();
       const bool has_all = roles.has_all_vertices();
       if (has_all && !all_vertices) all_vertices = index;

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <span>
 
-#include "orthoball/filtration/filter_steps.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/filtration/index_counts.h"
 

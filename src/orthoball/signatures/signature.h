@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "orthoball/filtration/filter_steps.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/parallel.h"
 #include "orthoball/topology/betti.h"

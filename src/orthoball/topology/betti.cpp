@@ -196,7 +196,7 @@ VoidIndices void_indices(const Filtration<3>& filtration, const FacetRoles<3>& r
   return indices;
 }
 
-IndexCounts counted(std::uint32_t largest, const Indices& indices) {
+IndexCounts counted(std::uint32_t largest, std::span<const std::uint32_t> indices) {
   return {largest, [&](const auto& visit) {
             for (const std::uint32_t index : indices) visit(index);
           }};
@@ -225,12 +225,29 @@ CycleCounts<D>::CycleCounts(const Filtration<D>& filtration, const FacetRoles<D>
 }
 
 template <int D>
-void BettiScan<D>::advance(const ByDimension<D>& entering) {
+BettiScan<D>::BettiScan(const Filtration<D>& filtration, Threads threads)
+    : cycles_(filtration, FacetRoles<D>(filtration, threads), threads),
+      last_(filtration.spectrum_size()) {
+  parallel_for(threads, enter_.size(), [&](std::size_t k) {
+    const int dimension = static_cast<int>(k);
+    const auto enters = filtration.enters().subspan(filtration.table().first(dimension),
+                                                    filtration.count(dimension));
+    enter_[k] = counted(last_, enters);
+  });
+}
+
+template <int D>
+bool BettiScan<D>::next() {
+  if (index_ == last_) return false;
   ++index_;
-  for (std::size_t k = 0; k < entering.size(); ++k) entered_[k] += entering[k];
-  joined_ += counts_.joining.count(index_);
-  voids_ += counts_.opening.count(index_);
-  voids_ -= counts_.closing.count(index_);
+  for (std::size_t k = 0; k < enter_.size(); ++k) {
+    entering_[k] = enter_[k].count(index_);
+    entered_[k] += entering_[k];
+  }
+  joined_ += cycles_.joining.count(index_);
+  voids_ += cycles_.opening.count(index_);
+  voids_ -= cycles_.closing.count(index_);
+  return true;
 }
 
 template <int D>

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "orthoball/filtration/filter_steps.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/filtration/index_counts.h"
 #include "orthoball/ids.h"
@@ -67,26 +66,32 @@ template <int D>
   return betti;
 }
 
-/// The Betti numbers of the alpha complexes of a filtration, one after the other.
+/// The Betti numbers of the alpha complexes of a filtration, one after the other, and how many
+/// simplices join each. Refers to nothing once made; about 70 bytes a site in space. Nearly linear
+/// time.
 template <int D>
 class BettiScan {
  public:
-  /// Begins with the empty complex.
-  explicit BettiScan(const Filtration<D>& filtration, Threads threads = Threads(1))
-      : counts_(filtration, FacetRoles<D>(filtration, threads), threads) {}
+  /// Begins at index 0, the empty complex.
+  explicit BettiScan(const Filtration<D>& filtration, Threads threads = Threads(1));
 
-  /// Goes on to the next index, at which `entering` simplices join.
-  void advance(const ByDimension<D>& entering);
+  /// Goes on to the next index; false, and nothing happens, at the last.
+  bool next();
 
-  /// Of all simplices added.
+  [[nodiscard]] std::uint32_t index() const { return index_; }
+  /// Simplices that join at index().
+  [[nodiscard]] const ByDimension<D>& entering() const { return entering_; }
+  /// Of the complex at index().
   [[nodiscard]] BettiNumbers<D> betti() const {
     return betti_numbers<D>(entered_, joined_, voids_);
   }
 
  private:
-  CycleCounts<D> counts_;
+  CycleCounts<D> cycles_;
+  std::array<IndexCounts, std::size_t{D} + 1> enter_;  // [dimension]
+  std::uint32_t last_;                                 // index
   std::uint32_t index_ = 0;
-  ByDimension<D> entered_{};
+  ByDimension<D> entering_{}, entered_{};
   std::uint32_t joined_ = 0, voids_ = 0;
 };
 

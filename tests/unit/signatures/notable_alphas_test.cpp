@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "generators/cases.h"
 #include "orthoball/measures/complex_measures.h"
 #include "orthoball/signatures/signature.h"
+#include "orthoball/topology/union_find.h"
 #include "orthoball/triangulation/build.h"
 
 namespace orthoball {
@@ -48,6 +51,57 @@ TEST(NotableAlphas, OfMatlabsFifteenPoints) {
   const std::vector<std::uint32_t> there{*notable.at("one_region").index};
   EXPECT_NEAR(signatures<2>(filtration, there)[0].volume, 34.3025, 1e-10);
   EXPECT_NEAR(hull_measures(filtration).volume, 44.8725, 1e-10);
+}
+
+// The components of all vertices and the cells of one complex.
+template <int D>
+std::size_t region_count(const Filtration<D>& filtration, std::uint32_t index) {
+  UnionFind regions(filtration.count(0));
+  for (std::uint32_t cell = filtration.table().first(D); cell < filtration.size(); ++cell) {
+    if (filtration.enters(SimplexId(cell)) > index) continue;
+    const auto vertices = filtration.vertices(SimplexId(cell));
+    for (const VertexId vertex : vertices) regions.unite(vertices[0].row(), vertex.row());
+  }
+  return regions.set_count();
+}
+
+template <int D>
+void expect_first_of_one_region(const WeightedPoints& points) {
+  const Filtration<D> filtration(regular_triangulation<D>(points));
+  std::optional<std::uint32_t> expected;
+  if (filtration.count(D) > 0) {
+    expected = 1;
+    while (region_count(filtration, *expected) > 1) ++*expected;
+  }
+  ASSERT_EQ(by_name(filtration).at("one_region").index, expected);
+}
+
+TEST(NotableAlphas, FindTheFirstComplexOfOneRegion) {
+  for (const generators::Case& one : generators::cases(2, 1, 40)) {
+    SCOPED_TRACE(testing::Message() << one);
+    one.dimension == 2 ? expect_first_of_one_region<2>(one.points())
+                       : expect_first_of_one_region<3>(one.points());
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(NotableAlphas, FindTheFirstComplexThatJoinsClusters) {
+  const auto check = [&]<int D>(std::uint64_t seed) {
+    const auto points = generators::points_of(generators::PointFamily::uniform, D, 60, seed);
+    std::vector<double> clusters(points.coordinates().begin(), points.coordinates().end());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      clusters[D * i + i % D] += 7.0 * static_cast<double>(i % 5);
+    }
+    const WeightedPoints all(D, std::move(clusters), WeightKind::none, {});
+    expect_first_of_one_region<D>(all);
+    const auto notable = by_name(Filtration<D>(regular_triangulation<D>(all)));
+    EXPECT_GT(notable.at("one_region").index, notable.at("all_vertices_in_cells").index);
+  };
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    check.operator()<2>(seed);
+    check.operator()<3>(seed);
+    if (HasFatalFailure()) return;
+  }
 }
 
 TEST(NotableAlphas, AreInOneOrderWithReasons) {

@@ -41,6 +41,40 @@ TEST(CycleMarks, LeaveOneComponentOfEveryTriangulation) {
   }
 }
 
+template <int D>
+void expect_scan(const generators::Case& one) {
+  const Filtration<D> filtration(regular_triangulation<D>(one.points()));
+  std::vector<ByDimension<D>> entering(filtration.never(), ByDimension<D>{});  // [index]
+  for (std::uint32_t row = 0; row < filtration.size(); ++row) {
+    const SimplexId simplex(row);
+    ++entering[filtration.enters(simplex)][static_cast<std::size_t>(filtration.dimension(simplex))];
+  }
+  BettiScan<D> scan(filtration), parallel(filtration, Threads(3));
+  for (std::uint32_t index = 0; index < filtration.never(); ++index) {
+    ASSERT_EQ(scan.index(), index) << one;
+    ASSERT_EQ(scan.entering(), entering[index]) << one << " at " << index;
+    ASSERT_EQ(scan.betti(), betti_numbers(filtration, index)) << one << " at " << index;
+    ASSERT_EQ(parallel.betti(), scan.betti()) << one << " at " << index;
+    EXPECT_EQ(scan.next(), index < filtration.spectrum_size()) << one;
+    EXPECT_EQ(parallel.next(), index < filtration.spectrum_size()) << one;
+  }
+  EXPECT_EQ(scan.index(), filtration.spectrum_size()) << one;
+}
+
+TEST(BettiScan, TellsWhatJoinsAtEachIndex) {
+  for (const generators::Case& one : generators::cases(1, 1, 30)) {
+    one.dimension == 2 ? expect_scan<2>(one) : expect_scan<3>(one);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(BettiScan, EndsWhereItBeginsWithoutSites) {
+  BettiScan<2> scan{Filtration<2>()};
+  EXPECT_FALSE(scan.next());
+  EXPECT_EQ(scan.index(), 0U);
+  EXPECT_EQ(scan.betti(), (BettiNumbers<2>{0, 0}));
+}
+
 TEST(BettiNumbers, OfAHollowOctahedronAreThoseOfASphere) {
   const Filtration<3> filtration =
       filtration_of<3>({1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1});
