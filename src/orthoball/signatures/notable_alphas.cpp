@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "orthoball/filtration/alpha.h"
+#include "orthoball/filtration/index_counts.h"
 #include "orthoball/signatures/role_counts.h"
 #include "orthoball/topology/betti.h"
 #include "orthoball/topology/union_find.h"
@@ -111,6 +112,17 @@ MaybeIndex one_region(const Filtration<D>& filtration, MaybeIndex covered) {
   return {};  // not reached: all cells together are the convex hull
 }
 
+// At which indices the facets become interior.
+template <int D>
+IndexCounts interior_facets(const Filtration<D>& filtration) {
+  const std::uint32_t first = filtration.table().first(D - 1), end = filtration.table().first(D);
+  return {filtration.never(), [&](const auto& visit) {
+            for (std::uint32_t facet = first; facet < end; ++facet) {
+              visit(filtration.interior(SimplexId(facet)));
+            }
+          }};
+}
+
 template <int D>
 NotableAlpha notable(const Filtration<D>& filtration, std::string name, std::string reason,
                      MaybeIndex index) {
@@ -134,16 +146,18 @@ std::vector<NotableAlpha> notable_alphas(const Filtration<D>& filtration) {
   {
     BettiScan<D> betti_scan(filtration);
     RoleCounts<D> roles(filtration);
-    std::array<RoleChangeCounts<D>, static_cast<std::size_t>(D)> counts;  // below the cells
-    for (std::size_t k = 0; k < counts.size(); ++k) counts[k] = {filtration, static_cast<int>(k)};
+    std::array<RoleChangeCounts<D>, std::size_t{D} - 1> lower;  // below the facets
+    for (std::size_t k = 0; k < lower.size(); ++k) lower[k] = {filtration, static_cast<int>(k)};
+    IndexCounts facets = interior_facets(filtration);
     while (betti_scan.next()) {
       const std::uint32_t index = betti_scan.index();
       RoleChanges<D> changes;
       changes.entering = betti_scan.entering();
-      for (std::size_t k = 0; k < counts.size(); ++k) {
-        changes.regular[k] = counts[k].regular.count(index);
-        changes.interior[k] = counts[k].interior.count(index);
+      for (std::size_t k = 0; k < lower.size(); ++k) {
+        changes.regular[k] = lower[k].regular.count(index);
+        changes.interior[k] = lower[k].interior.count(index);
       }
+      changes.interior[D - 1] = facets.count(index);
       roles.advance(changes);
       const BettiNumbers<D> betti = betti_scan.betti();
       const bool has_all = roles.has_all_vertices();
