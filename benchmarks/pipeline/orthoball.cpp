@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "benchmarks/case.h"
+#include "orthoball/filtration/filter.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/large_blocks.h"
 #include "orthoball/parallel.h"
@@ -65,7 +66,13 @@ void run(const benchmarks::Case& task) {
         filtration, [&](const Signature<D>& signature) { last = signature.index; }, threads);
     if (last != filtration.spectrum_size()) throw std::logic_error("an index was left out");
     meter.stage("signatures");
-  } else if (task.work != "filtration") {
+  } else if (task.work == "filtration") {
+    const Filter<D> filter(filtration, threads);
+    if (filter.simplices().size() != filtration.size()) {
+      throw std::logic_error("simplices were lost");
+    }
+    meter.stage("filter");
+  } else {
     throw std::invalid_argument("no work " + task.work);
   }
   meter.report(task, {{"cells", cells}, {"vertices", vertices}, {"simplices", filtration.size()}});

@@ -13,6 +13,7 @@
 
 #include "benchmarks/case.h"
 #include "orthoball/filtration/alpha.h"
+#include "orthoball/filtration/filter.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/output/mesh.h"
 #include "orthoball/output/shape_mesh.h"
@@ -70,14 +71,15 @@ int main(int argc, char** argv) {
   char* arguments[] = {argv[0], work, argv[1], dimension, argv[2]};
   const benchmarks::Case task = benchmarks::case_of(5, arguments);
   const Filtration<3> filtration(regular_triangulation<3>(task.points));
+  const Filter<3> filter(filtration);
   const std::size_t all = filtration.size();
 
   measure("order by rows", [&](ByteSink&) {
-    if (filtration.filter_by_rows().size() != all) throw std::logic_error("simplices were lost");
+    if (filter.by_rows().size() != all) throw std::logic_error("simplices were lost");
   });
-  measure("filter csv", [&](ByteSink& sink) { write_filter_csv(sink, filtration, all); });
-  measure("filter json", [&](ByteSink& sink) { write_filter_json_lines(sink, filtration, all); });
-  measure("filter npz", [&](ByteSink& sink) { write_filter_npz(sink, filtration, all); });
+  measure("filter csv", [&](ByteSink& sink) { write_filter_csv(sink, filter, all); });
+  measure("filter json", [&](ByteSink& sink) { write_filter_json_lines(sink, filter, all); });
+  measure("filter npz", [&](ByteSink& sink) { write_filter_npz(sink, filter, all); });
 
   std::vector<SignatureRow<3>> rows;
   scan_signatures<3>(filtration, [&](const Signature<3>& s) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "generators/point_families.h"
+#include "orthoball/filtration/filter.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/signatures/signature.h"
 #include "orthoball/triangulation/build.h"
@@ -44,18 +45,28 @@ template <int D>
 void filtration(benchmark::State& state, PointFamily family, std::size_t count) {
   const auto built = regular_triangulation<D>(shuffled(family, D, count));
   for (auto unused : state) {
-    const Filtration<D> filter(built);
-    benchmark::DoNotOptimize(filter.size());
+    const Filtration<D> filtration(built);
+    benchmark::DoNotOptimize(filtration.size());
+  }
+  count_sites(state, count);
+}
+
+template <int D>
+void filter(benchmark::State& state, PointFamily family, std::size_t count) {
+  const Filtration<D> filtration(regular_triangulation<D>(shuffled(family, D, count)));
+  for (auto unused : state) {
+    const Filter<D> filter(filtration);
+    benchmark::DoNotOptimize(filter.simplices().data());
   }
   count_sites(state, count);
 }
 
 template <int D>
 void signatures(benchmark::State& state, PointFamily family, std::size_t count) {
-  const Filtration<D> filter(regular_triangulation<D>(shuffled(family, D, count)));
+  const Filtration<D> filtration(regular_triangulation<D>(shuffled(family, D, count)));
   for (auto unused : state) {
     std::size_t last = 0;
-    scan_signatures<D>(filter, [&](const Signature<D>& signature) { last = signature.index; });
+    scan_signatures<D>(filtration, [&](const Signature<D>& signature) { last = signature.index; });
     benchmark::DoNotOptimize(last);
   }
   count_sites(state, count);
@@ -72,6 +83,7 @@ void add_stages(PointFamily family) {
   add("curve", curve<D>);
   add("triangulation", triangulation<D>);
   add("filtration", filtration<D>);
+  add("filter", filter<D>);
   add("signatures", signatures<D>);
 }
 

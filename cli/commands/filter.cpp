@@ -42,15 +42,18 @@ void run(const FilterOptions& options) {
   const std::size_t missing =
       write_output(options.output, format == "json" ? "null" : "", [&](orthoball::ByteSink& sink) {
         std::visit(
-            [&](const auto& filtration) {
+            [&]<int D>(const orthoball::Filtration<D>& filtration) {
+              require_memory(options.input, orthoball::filter_memory(filtration.size()),
+                             "the order of the simplices");
+              const orthoball::Filter<D> filter(filtration, threads_of(options.input));
               const std::size_t count =
-                  chosen.empty() ? filtration.size() : filtration.complex_size(chosen[0].index);
+                  chosen.empty() ? filtration.size() : filter.complex_size(chosen[0].index);
               // The order by rows, and the longest arrays of an archive.
               require_memory(options.input, (format == "npz" ? 32 : 8) * std::uint64_t{count},
                              "the table");
-              if (format == "csv") write_filter_csv(sink, filtration, count);
-              if (format == "json") write_filter_json_lines(sink, filtration, count);
-              if (format == "npz") write_filter_npz(sink, filtration, count);
+              if (format == "csv") write_filter_csv(sink, filter, count);
+              if (format == "json") write_filter_json_lines(sink, filter, count);
+              if (format == "npz") write_filter_npz(sink, filter, count);
             },
             input.shapes.filtration());
       });

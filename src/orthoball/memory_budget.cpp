@@ -130,6 +130,7 @@ struct Sizes {
 constexpr Sizes kPlane{190, 20, 140, 60, 24};
 constexpr Sizes kSpace{540, 67, 140, 90, 32};
 constexpr std::uint64_t kSimplex = 36;           // bytes of the filtration
+constexpr std::uint64_t kSimplexFilter = 10;     // more while a filter is made
 constexpr std::uint64_t kSimplexSignature = 20;  // more while signatures are scanned
 
 const Sizes& sizes(int dimension) { return dimension == 2 ? kPlane : kSpace; }
@@ -187,6 +188,8 @@ std::uint64_t filtration_memory(int dimension, std::size_t sites, std::size_t ce
   return less(each.site * sites + kSimplex * simplices_of(dimension, sites, cells),
               each.kept_site * sites + each.kept_cell * cells);
 }
+
+std::uint64_t filter_memory(std::size_t simplices) { return kSimplexFilter * simplices; }
 
 std::uint64_t signature_memory(std::size_t simplices) { return kSimplexSignature * simplices; }
 

@@ -47,6 +47,8 @@ class MemoryBudget {
 [[nodiscard]] std::uint64_t alpha_shapes_memory(int dimension, std::size_t sites);
 /// Of the filtration, beyond the triangulation it is made of.
 [[nodiscard]] std::uint64_t filtration_memory(int dimension, std::size_t sites, std::size_t cells);
+/// Of a Filter, beyond the filtration.
+[[nodiscard]] std::uint64_t filter_memory(std::size_t simplices);
 /// Of a scan of the signatures, beyond the filtration.
 [[nodiscard]] std::uint64_t signature_memory(std::size_t simplices);
 

@@ -20,6 +20,7 @@
 // filtration
 #include "orthoball/filtration/alpha.h"
 #include "orthoball/filtration/alpha_complex.h"
+#include "orthoball/filtration/filter.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/filtration/simplex_table.h"
 // topology, measures

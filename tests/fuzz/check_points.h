@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fuzz/points_from_bytes.h"
+#include "orthoball/filtration/filter.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/signatures/signature.h"
 #include "orthoball/triangulation/build.h"
@@ -22,8 +23,9 @@ void check_points(const WeightedPoints& points) {
   require_none(verify(triangulation, points));
 
   const Filtration<D> filtration(std::move(triangulation));
+  const Filter<D> filter(filtration);
   std::uint32_t last = 0;
-  for (const SimplexId simplex : filtration.filter()) {
+  for (const SimplexId simplex : filter.simplices()) {
     const std::uint32_t enters = filtration.enters(simplex);
     require(enters == last || enters == last + 1, "the filter is not sorted");
     last = enters;

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "generators/cases.h"
+#include "matchers/same_bytes.h"
 #include "matchers/same_filtration.h"
+#include "orthoball/filtration/filter.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/triangulation/build.h"
 
@@ -91,21 +93,22 @@ TEST(Filtration, HasThreeIndicesThatFollowFromTheCofaces) {
   });
 }
 
-TEST(Filtration, IsSortedSoThatEveryPrefixIsAComplex) {
+TEST(Filter, IsSortedSoThatEveryPrefixIsAComplex) {
   for_each_large_case([]<int D>(const Case& one) {
     const auto filtration = filtration_of<D>(one.points());
+    const Filter<D> filter(filtration);
     std::vector<bool> is_in(filtration.size(), false);
     std::uint32_t index = 0;
     int dimension = 0;
     for (std::size_t position = 0; position < filtration.size(); ++position) {
-      const SimplexId simplex = filtration.filter()[position];
+      const SimplexId simplex = filter.simplices()[position];
       ASSERT_FALSE(is_in[simplex.row()]);
       is_in[simplex.row()] = true;
       for (const SimplexId facet : filtration.facets(simplex)) ASSERT_TRUE(is_in[facet.row()]);
       ASSERT_GE(filtration.enters(simplex), index);
       if (filtration.enters(simplex) != index) {
         ASSERT_EQ(filtration.enters(simplex), index + 1) << "an entry of the spectrum is not used";
-        ASSERT_EQ(filtration.complex_size(index), position);
+        ASSERT_EQ(filter.complex_size(index), position);
         index = filtration.enters(simplex);
         dimension = 0;
       }
@@ -160,7 +163,7 @@ TEST(Filtration, OfIntegersMovedByIntegersKeepsItsLabels) {
       // Vertices may be numbered along another curve: compare what people see.
       const auto rows = [](const Filtration<D>& of) {
         std::vector<std::vector<std::uint32_t>> table;
-        for (const SimplexId simplex : of.filter_by_rows()) {
+        for (const SimplexId simplex : Filter<D>(of).by_rows()) {
           auto& entry = table.emplace_back();
           for (const SiteId row : of.rows(simplex)) entry.push_back(row.row());
           entry.insert(entry.end(), {of.enters(simplex), of.regular(simplex), of.interior(simplex),

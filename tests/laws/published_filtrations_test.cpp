@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "orthoball/filtration/filter.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/triangulation/build.h"
 
@@ -18,7 +19,8 @@ namespace {
 template <int D>
 std::map<std::vector<std::uint32_t>, double> values_of(const Filtration<D>& filtration) {
   std::map<std::vector<std::uint32_t>, double> values;
-  for (const SimplexId simplex : filtration.filter()) {
+  for (std::uint32_t i = 0; i < filtration.size(); ++i) {
+    const SimplexId simplex(i);
     std::vector<std::uint32_t> rows;
     for (const SiteId row : filtration.rows(simplex)) rows.push_back(row.row());
     values[rows] = filtration.alpha2(filtration.enters(simplex));
@@ -61,7 +63,7 @@ TEST(PublishedFiltration, OfSevenPointsInGudhisManual) {
     EXPECT_NEAR(values.at(rows), value, 5e-5);
   }
   std::vector<std::vector<std::uint32_t>> attached;
-  for (const SimplexId simplex : filtration.filter_by_rows()) {
+  for (const SimplexId simplex : Filter<2>(filtration).by_rows()) {
     if (!filtration.is_attached(simplex)) continue;
     auto& rows = attached.emplace_back();
     for (const SiteId row : filtration.rows(simplex)) rows.push_back(row.row());

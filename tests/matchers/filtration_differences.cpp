@@ -7,6 +7,7 @@
 
 #include "matchers/agrees_with_brute_force.h"
 #include "matchers/describe.h"
+#include "orthoball/filtration/filter.h"
 
 namespace orthoball::matchers {
 
@@ -111,9 +112,10 @@ std::vector<std::string> differences(const Filtration<D>& filtration,
   compare_spectrum(filtration, expected, compare);
   compare("size", filtration.size(), expected.simplices.size());
 
-  const std::vector<SimplexId> filter = filtration.filter_by_rows();
+  const Filter<D> filter_by_number(filtration);
+  const std::vector<SimplexId> filter = filter_by_number.by_rows();
   compare("length of the filter by rows", filter.size(), expected.simplices.size());
-  compare("length of the filter", filtration.filter().size(), expected.simplices.size());
+  compare("length of the filter", filter_by_number.simplices().size(), expected.simplices.size());
   if (!found.empty()) return found;
   for (std::size_t position = 0; position < filter.size(); ++position) {
     const SimplexId simplex = filter[position];
@@ -128,11 +130,11 @@ std::vector<std::string> differences(const Filtration<D>& filtration,
     compare("interior" + what, filtration.interior(simplex), entry.interior);
     compare_faces(filtration, simplex, compare);
     // The other filter differs in the order of ties only, which it breaks by number.
-    const SimplexId other = filtration.filter()[position];
+    const SimplexId other = filter_by_number.simplices()[position];
     compare("index in the filter" + where, filtration.enters(other), entry.enters);
     compare("dimension in the filter" + where, filtration.dimension(other), entry.dimension());
     if (position > 0) {
-      const SimplexId before = filtration.filter()[position - 1];
+      const SimplexId before = filter_by_number.simplices()[position - 1];
       const bool is_tie = filtration.enters(before) == entry.enters &&
                           filtration.dimension(before) == entry.dimension();
       compare("order of numbers" + where, is_tie && other <= before, false);
@@ -148,7 +150,7 @@ std::vector<std::string> differences(const Filtration<D>& filtration,
     const auto size = static_cast<std::size_t>(
         std::count_if(expected.simplices.begin(), expected.simplices.end(),
                       [&](const auto& simplex) { return simplex.enters <= index; }));
-    compare("complex at " + std::to_string(index), filtration.complex_size(index), size);
+    compare("complex at " + std::to_string(index), filter_by_number.complex_size(index), size);
   }
   compare_cells_beside(filtration, expected, compare);
   return found;

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "matchers/describe.h"
-#include "matchers/same_bytes.h"
 #include "orthoball/filtration/filtration.h"
 
 namespace orthoball::matchers {
@@ -19,7 +18,6 @@ template <int D>
   compare("size", a.size(), b.size());
   compare("spectrum size", a.spectrum_size(), b.spectrum_size());
   if (!found.empty()) return found;
-  compare("same filter", same_bytes(a.filter(), b.filter()), true);
   for (std::uint32_t row = 0; row < a.size(); ++row) {
     const SimplexId simplex(row);
     const auto vertices_a = a.vertices(simplex), vertices_b = b.vertices(simplex);

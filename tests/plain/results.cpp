@@ -12,6 +12,7 @@
 
 #include "generators/point_families.h"
 #include "oracles/sha256.h"
+#include "orthoball/filtration/filter.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/signatures/signature.h"
 #include "orthoball/triangulation/build.h"
@@ -64,8 +65,9 @@ std::string triangulation_digest(const RegularTriangulation<D>& triangulation) {
 template <int D>
 std::string filtration_digest(const Filtration<D>& filtration) {
   Bytes bytes;
+  const Filter<D> filter(filtration);
   bytes.add(filtration.spectrum());
-  for (const SimplexId simplex : filtration.filter()) {
+  for (const SimplexId simplex : filter.simplices()) {
     bytes.add(simplex.row());
     bytes.add(std::uint32_t{filtration.is_attached(simplex)});
     bytes.add(filtration.enters(simplex));

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "oracles/sha256.h"
+#include "orthoball/filtration/filter.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/input/read.h"
 #include "orthoball/signatures/signature.h"
@@ -69,7 +70,7 @@ json digests(const Filtration<D>& filtration) {
   }
 
   std::uint32_t index = 1;
-  for (const SimplexId simplex : filtration.filter_by_rows()) {
+  for (const SimplexId simplex : Filter<D>(filtration).by_rows()) {
     if (filtration.enters(simplex) != index) order += "|\n";
     index = filtration.enters(simplex);
     order += std::to_string(filtration.dimension(simplex)) + ' ' +

@@ -33,8 +33,8 @@ TEST(AlphaShapes, AreTheSameWhateverTheNumberOfThreads) {
   ASSERT_EQ(first.size(), second.size());
   EXPECT_TRUE(std::equal(first.spectrum().begin(), first.spectrum().end(),
                          second.spectrum().begin(), second.spectrum().end()));
-  EXPECT_TRUE(std::equal(first.filter().begin(), first.filter().end(), second.filter().begin(),
-                         second.filter().end()));
+  EXPECT_TRUE(std::equal(first.enters().begin(), first.enters().end(), second.enters().begin(),
+                         second.enters().end()));
 }
 
 // Sanitizers keep what is freed.

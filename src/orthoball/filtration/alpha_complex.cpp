@@ -19,11 +19,6 @@ AlphaComplex<D>::AlphaComplex(const Filtration<D>& filtration, std::uint32_t ind
 }
 
 template <int D>
-std::span<const SimplexId> AlphaComplex<D>::simplices() const {
-  return filtration_->filter().first(filtration_->complex_size(index_));
-}
-
-template <int D>
 std::vector<SimplexId> AlphaComplex<D>::simplices(int dimension, Role role) const {
   const std::uint32_t first = filtration_->table().first(dimension);
   const auto count = static_cast<std::uint32_t>(filtration_->count(dimension));

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "orthoball/filtration/filtration.h"
@@ -31,9 +30,6 @@ class AlphaComplex {
     return filtration_->enters(simplex) <= index_;
   }
   [[nodiscard]] Role role(SimplexId simplex) const { return filtration_->role(simplex, index_); }
-  /// The simplices of the complex in filter order: a prefix of the filter.
-  [[nodiscard]] std::span<const SimplexId> simplices() const;
-
   /// The simplices of one dimension in one role, ascending. O(n); see BoundaryIndex for many
   /// indices.
   [[nodiscard]] std::vector<SimplexId> simplices(int dimension, Role role) const;

@@ -25,15 +25,15 @@ using ByDimension = std::array<std::uint32_t, static_cast<std::size_t>(D) + 1>;
 /// What a simplex is at one index of the spectrum.
 enum class Role { exterior, singular, regular, interior };
 
-/// All alpha complexes of weighted points: every simplex of the regular triangulation in the exact
-/// order in which it appears as alpha2 grows.
+/// All alpha complexes of weighted points: when every simplex of the regular triangulation appears
+/// as alpha2 grows, exactly. The simplices in that order are a Filter of it.
 ///
 /// The spectrum alpha2_1 < ... < alpha2_s lists the exactly distinct values at which the complex
 /// changes; index i in 1..s names the complex K_i, K_0 is empty. Every simplex has three indices:
 /// `enters` <= `regular` <= `interior`, the last two `never()` where it never takes that role.
 /// All comparisons are exact; only `alpha2(index)` is a number, correctly rounded.
 ///
-/// Owns its triangulation. Immutable; any number of threads may read it. About 800 bytes a site in
+/// Owns its triangulation. Immutable; any number of threads may read it. About 700 bytes a site in
 /// space, its triangulation included; time linear in the simplices but for sorting.
 /// @cite edelsbrunner_mucke_1994
 template <int D>
@@ -117,21 +117,6 @@ class Filtration {
   /// [simplex]: enters() of all, for loops over millions of them.
   [[nodiscard]] std::span<const std::uint32_t> enters() const { return indices_.enters; }
 
-  // The filter.
-
-  /// All simplices by (enters, dimension, number): every prefix is a complex.
-  [[nodiscard]] std::span<const SimplexId> filter() const { return filter_; }
-  /// Whether the simplex at a position of filter(), from 0, is the first to enter at its index.
-  /// True of the position behind the last.
-  [[nodiscard]] bool starts_index(std::size_t position) const {
-    return bit_at(index_starts_.data(), position);
-  }
-  /// Length of the prefix of filter() that is K_index. O(log n).
-  [[nodiscard]] std::size_t complex_size(std::uint32_t index) const;
-  /// filter() with ties (equal index and dimension) in ascending order of rows(): the order of all
-  /// tables that people see. O(n log n).
-  [[nodiscard]] std::vector<SimplexId> filter_by_rows() const;
-
  private:
   // When the cells on both sides of a (D - 1)-simplex enter, never() for the outside; the same
   // twice for a D-simplex, never() for what ends less than R^D.
@@ -149,11 +134,9 @@ class Filtration {
 
   RegularTriangulation<D> triangulation_;
   SimplexTable<D> table_;
-  std::vector<std::uint64_t> is_attached_;      // bit per simplex
-  RawVector<double> spectrum_;                  // [index - 1]
-  CriticalIndices indices_;                     // by simplex
-  RawVector<SimplexId> filter_;                 // [position]
-  std::vector<std::uint64_t> index_starts_{1};  // bit per position, see starts_index
+  std::vector<std::uint64_t> is_attached_;  // bit per simplex
+  RawVector<double> spectrum_;              // [index - 1]
+  CriticalIndices indices_;                 // by simplex
 };
 
 extern template class Filtration<2>;  // defined in filtration.cpp

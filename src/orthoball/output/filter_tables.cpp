@@ -13,8 +13,8 @@ namespace orthoball {
 namespace {
 
 template <int D>
-std::vector<SimplexId> first_in_filter(const Filtration<D>& filtration, std::size_t count) {
-  std::vector<SimplexId> simplices = filtration.filter_by_rows();
+std::vector<SimplexId> first_by_rows(const Filter<D>& filter, std::size_t count) {
+  std::vector<SimplexId> simplices = filter.by_rows();
   simplices.resize(count);
   return simplices;
 }
@@ -48,7 +48,8 @@ class Alpha2Column {
 }  // namespace
 
 template <int D>
-void write_filter_csv(ByteSink& sink, const Filtration<D>& filtration, std::size_t count) {
+void write_filter_csv(ByteSink& sink, const Filter<D>& filter, std::size_t count) {
+  const Filtration<D>& filtration = filter.filtration();
   sink.text("position,dimension,vertices,alpha2,enters,regular,interior\n");
   std::int64_t position = 0;
   Alpha2Column<D> alpha2(filtration);
@@ -70,14 +71,15 @@ void write_filter_csv(ByteSink& sink, const Filtration<D>& filtration, std::size
     }
     sink.text("\n");
   };
-  for_filter_lines(filtration, first_in_filter(filtration, count), [&](const auto& lines) {
+  for_filter_lines(filtration, first_by_rows(filter, count), [&](const auto& lines) {
     for (const FilterLine<D>& line : lines) write(line);
   });
   sink.flush();
 }
 
 template <int D>
-void write_filter_json_lines(ByteSink& sink, const Filtration<D>& filtration, std::size_t count) {
+void write_filter_json_lines(ByteSink& sink, const Filter<D>& filter, std::size_t count) {
+  const Filtration<D>& filtration = filter.filtration();
   std::int64_t position = 0;
   Alpha2Column<D> alpha2(filtration);
   const auto write_index = [&](std::string_view key, std::uint32_t index) {
@@ -103,15 +105,16 @@ void write_filter_json_lines(ByteSink& sink, const Filtration<D>& filtration, st
     write_index(",\"interior\":", line.interior);
     sink.text("}\n");
   };
-  for_filter_lines(filtration, first_in_filter(filtration, count), [&](const auto& lines) {
+  for_filter_lines(filtration, first_by_rows(filter, count), [&](const auto& lines) {
     for (const FilterLine<D>& line : lines) write(line);
   });
   sink.flush();
 }
 
 template <int D>
-void write_filter_npz(ByteSink& sink, const Filtration<D>& filtration, std::size_t count) {
-  const std::vector<SimplexId> simplices = first_in_filter(filtration, count);
+void write_filter_npz(ByteSink& sink, const Filter<D>& filter, std::size_t count) {
+  const Filtration<D>& filtration = filter.filtration();
+  const std::vector<SimplexId> simplices = first_by_rows(filter, count);
   NpzWriter archive(sink);
   // Only those arrays at once that are found together: all would be as large as the filtration.
   {
@@ -156,11 +159,11 @@ void write_filter_npz(ByteSink& sink, const Filtration<D>& filtration, std::size
   archive.finish();
 }
 
-template void write_filter_csv<2>(ByteSink&, const Filtration<2>&, std::size_t);
-template void write_filter_csv<3>(ByteSink&, const Filtration<3>&, std::size_t);
-template void write_filter_json_lines<2>(ByteSink&, const Filtration<2>&, std::size_t);
-template void write_filter_json_lines<3>(ByteSink&, const Filtration<3>&, std::size_t);
-template void write_filter_npz<2>(ByteSink&, const Filtration<2>&, std::size_t);
-template void write_filter_npz<3>(ByteSink&, const Filtration<3>&, std::size_t);
+template void write_filter_csv<2>(ByteSink&, const Filter<2>&, std::size_t);
+template void write_filter_csv<3>(ByteSink&, const Filter<3>&, std::size_t);
+template void write_filter_json_lines<2>(ByteSink&, const Filter<2>&, std::size_t);
+template void write_filter_json_lines<3>(ByteSink&, const Filter<3>&, std::size_t);
+template void write_filter_npz<2>(ByteSink&, const Filter<2>&, std::size_t);
+template void write_filter_npz<3>(ByteSink&, const Filter<3>&, std::size_t);
 
 }  // namespace orthoball

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generators/point_families.h"
+#include "orthoball/filtration/filter.h"
 #include "orthoball/triangulation/build.h"
 
 namespace orthoball {
@@ -15,7 +16,7 @@ namespace {
 template <int D>
 void check(const WeightedPoints& points, const std::string& name) {
   const Filtration<D> filtration(regular_triangulation<D>(points));
-  const std::vector<SimplexId> simplices = filtration.filter_by_rows();
+  const std::vector<SimplexId> simplices = Filter<D>(filtration).by_rows();
   std::size_t at = 0;
   for_filter_lines(filtration, simplices, [&](std::span<const FilterLine<D>> lines) {
     for (const FilterLine<D>& line : lines) {

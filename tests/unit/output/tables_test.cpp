@@ -16,8 +16,8 @@ Shapes<2> right_triangle() { return Shapes<2>({0, 0, 4, 0, 0, 3}); }
 
 TEST(FilterTable, CsvHasOneRowASimplexInFilterOrder) {
   const auto shapes = right_triangle();
-  const std::string csv = written(
-      [&](ByteSink& s) { write_filter_csv(s, shapes.filtration, shapes.filtration.size()); });
+  const std::string csv =
+      written([&](ByteSink& s) { write_filter_csv(s, Filter<2>(shapes.filtration), 7); });
   EXPECT_EQ(csv,
             "position,dimension,vertices,alpha2,enters,regular,interior\n"
             "1,0,0,0,1,2,\n"
@@ -31,9 +31,8 @@ TEST(FilterTable, CsvHasOneRowASimplexInFilterOrder) {
 
 TEST(FilterTable, JsonLinesSayTheSameWithNullForNever) {
   const auto shapes = right_triangle();
-  const std::string text = written([&](ByteSink& s) {
-    write_filter_json_lines(s, shapes.filtration, shapes.filtration.size());
-  });
+  const std::string text =
+      written([&](ByteSink& s) { write_filter_json_lines(s, Filter<2>(shapes.filtration), 7); });
   std::istringstream lines(text);
   std::string line;
   int count = 0;
@@ -49,15 +48,16 @@ TEST(FilterTable, JsonLinesSayTheSameWithNullForNever) {
 
 TEST(FilterTable, HoldsThePrefixThatIsAskedFor) {
   const auto shapes = right_triangle();
-  const std::size_t count = shapes.filtration.complex_size(2);
+  const Filter<2> filter(shapes.filtration);
   const std::string csv =
-      written([&](ByteSink& s) { write_filter_csv(s, shapes.filtration, count); });
+      written([&](ByteSink& s) { write_filter_csv(s, filter, filter.complex_size(2)); });
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
 }
 
 TEST(FilterTable, NpzNamesItsArrays) {
   const auto shapes = right_triangle();
-  const std::string npz = written([&](ByteSink& s) { write_filter_npz(s, shapes.filtration, 7); });
+  const std::string npz =
+      written([&](ByteSink& s) { write_filter_npz(s, Filter<2>(shapes.filtration), 7); });
   for (const char* const name :
        {"dimension.npy", "vertices.npy", "alpha2.npy", "enters.npy", "spectrum.npy"}) {
     EXPECT_NE(npz.find(name), std::string::npos);
