@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -40,13 +39,6 @@ class RankedBits {
   /// How many numbers there are, after count_all.
   [[nodiscard]] std::uint32_t count() const {
     return words_.empty() ? 0 : before_.back() + ones(words_.back());
-  }
-  /// The number of which `rank` are less, rank < count(). O(log n).
-  [[nodiscard]] std::uint32_t number_of(std::uint32_t rank) const {
-    const auto word = std::upper_bound(before_.begin(), before_.end(), rank) - before_.begin() - 1;
-    std::uint64_t rest = words_[static_cast<std::size_t>(word)];
-    for (std::uint32_t i = before_[static_cast<std::size_t>(word)]; i < rank; ++i) rest &= rest - 1;
-    return static_cast<std::uint32_t>(64 * word + std::countr_zero(rest));
   }
   /// How many of the numbers are less.
   [[nodiscard]] std::uint32_t rank(std::uint32_t number) const {

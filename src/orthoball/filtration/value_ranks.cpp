@@ -5,10 +5,9 @@
 // classes of exactly equal values, by integers where certified bounds do not separate them. A class
 // is one entry of the spectrum.
 //
-// Labels are dealt to buckets as they come, in a list for each dimension and part of the simplices,
-// so that simplices of a bucket come by number. Groups of buckets are then sorted and cut into
-// classes, each on its own. Where no weights differ, vertices need no labels: they are the first
-// class.
+// Labels are dealt to buckets as they come, in a list for each dimension and part of the simplices.
+// Groups of buckets are then sorted and cut into classes, each on its own. Where no weights differ,
+// vertices need no labels: they are the first class.
 #include "orthoball/filtration/value_ranks.h"
 
 #include <algorithm>
@@ -230,7 +229,7 @@ class Ranking<D, A>::ClassWriter {
         spectrum_(ranking.result_.spectrum.data() + group.begin),
         starts_(ranking.starts_.data(), group.begin) {}
 
-  // Simplices of one value, by number.
+  // Simplices of one value.
   void add(ConstRows simplices, double label) {
     spectrum_[classes_++] = label + 0.0;  // a negative value that rounds to -0 reads 0
     bool is_first = true;
@@ -358,9 +357,7 @@ void Ranking<D, A>::rank_exactly(ClassWriter& classes, Rows simplices, double la
       }
     }
     rank_exactly(classes, simplices.first(equal), label);
-    const Rows together = simplices.subspan(equal, greater - equal);
-    std::sort(together.begin(), together.end());
-    classes.add(together, label);
+    classes.add(simplices.subspan(equal, greater - equal), label);
     simplices = simplices.subspan(greater);
   }
   if (!simplices.empty()) classes.add(simplices, label);

@@ -27,7 +27,7 @@ struct ValueRanks {
 ///
 /// @param is_attached  a bit for every simplex, 64 to a word.
 /// @param order        filled with the simplices that are not attached, as many as there are, by
-///                     value, then number.
+///                     value.
 template <int D>
 [[nodiscard]] ValueRanks value_ranks(const RegularTriangulation<D>& triangulation,
                                      const SimplexTable<D>& table,

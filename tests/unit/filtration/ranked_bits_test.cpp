@@ -19,7 +19,6 @@ TEST(RankedBits, NumberTheirElements) {
       std::vector<std::uint32_t> visited;
       bits.for_each([&](std::uint32_t number) {
         EXPECT_EQ(bits.rank(number), visited.size());
-        EXPECT_EQ(bits.number_of(static_cast<std::uint32_t>(visited.size())), number);
         EXPECT_TRUE(bits.contains(number));
         visited.push_back(number);
       });
