@@ -16,9 +16,9 @@ struct Cost {
 constexpr std::array kCosts = {
     Cost{Stage::reading, "reading", 100, 70},
     Cost{Stage::triangulation, "triangulation", 2100, 600},
-    Cost{Stage::filtration, "filtration", 3300, 700},
+    Cost{Stage::filtration, "filtration", 2200, 300},
     Cost{Stage::signatures, "signatures", 3800, 900},
-    Cost{Stage::writing_filter, "writing", 7500, 1500},
+    Cost{Stage::writing_filter, "writing", 7700, 1550},
     Cost{Stage::writing_shape, "writing", 400, 200},
 };
 constexpr double kBytesOfSite = 30.0;

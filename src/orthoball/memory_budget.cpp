@@ -127,9 +127,9 @@ struct Sizes {
   std::uint64_t kept_site;      // of the triangulation when it is done
   std::uint64_t kept_cell;
 };
-constexpr Sizes kPlane{190, 20, 140, 60, 24};
+constexpr Sizes kPlane{190, 20, 45, 60, 24};
 constexpr Sizes kSpace{540, 67, 140, 90, 32};
-constexpr std::uint64_t kSimplex = 36;           // bytes of the filtration
+constexpr std::uint64_t kSimplex = 32;           // bytes of the filtration
 constexpr std::uint64_t kSimplexFilter = 10;     // more while a filter is made
 constexpr std::uint64_t kSimplexSignature = 20;  // more while signatures are scanned
 
