@@ -7,13 +7,14 @@ FUZZ_SECONDS ?= 60
 TSAN_TESTS ?= unit_orthoball unit_triangulation unit_filtration unit_topology unit_measures unit_signatures
 ORTHOBALL = build/release/orthoball
 
-.PHONY: help demo build test test-long bench bench-full bench-instructions sanitize tsan fuzz tidy coverage format docs samples clean
+.PHONY: help demo build test test-long determinism bench bench-full bench-instructions sanitize tsan fuzz tidy coverage format docs samples clean
 
 help:
 	@echo 'make demo       build the program and run it on $(SAMPLE), results in out/'
 	@echo 'make test       build everything and run all tests'
 	@echo 'make test-long  the same with the long forms of the random tests'
 	@echo 'make build      build the program: $(ORTHOBALL)'
+	@echo 'make determinism  the same results on 1 to 16 threads and for shuffled rows, up to a million points'
 	@echo 'make bench      compare with CGAL and others on the same inputs: time, ratio, memory'
 	@echo 'make bench-full the same with more inputs, larger ones and slower peers'
 	@echo 'make bench-instructions  compare counts of instructions with the stored ones'
@@ -47,6 +48,12 @@ test:
 
 test-long: export ORTHOBALL_LONG = 1
 test-long: test
+
+determinism:
+	./bootstrap build test
+	cmake --preset test
+	cmake --build --preset test --parallel $(JOBS) --target digests
+	build/test/digests
 
 bench:
 	./bootstrap build bench

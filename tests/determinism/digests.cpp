@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Digests of the triangulation, filtration and signatures of large inputs of every family on
+// several numbers of threads, with rows in order and shuffled: a line for each input, and a failure
+// where any of them differ. Takes minutes.
+//
+//   digests [LARGEST]     at most so many points of a family, a million if not given
+#include "matchers/digests.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <utility>
+
+#include "generators/point_families.h"
+#include "orthoball/large_blocks.h"
+#include "orthoball/triangulation/build.h"
+
+namespace {
+
+using namespace orthoball;
+using generators::PointFamily;
+
+// As many points as take some seconds.
+std::size_t count_of(PointFamily family) {
+  switch (family) {
+    case PointFamily::uniform:
+    case PointFamily::uniform_balls:
+    case PointFamily::protein_like:
+    case PointFamily::scan_like:
+    case PointFamily::grid:
+      return 1'000'000;
+    case PointFamily::cospherical:
+    case PointFamily::nested_balls:
+    case PointFamily::same_centres:
+    case PointFamily::near_sphere:
+    case PointFamily::one_ulp:
+      return 10'000;
+    default:
+      return is_extreme(family) ? 100 : 200'000;
+  }
+}
+
+// How the same points are triangulated.
+struct Way {
+  unsigned threads;
+  bool is_shuffled;
+};
+constexpr std::array<Way, 5> kWays{{{1, false}, {2, true}, {2, false}, {4, false}, {16, true}}};
+
+template <int D>
+std::string digests(const WeightedPoints& points, Threads threads) {
+  const LargeBlockReuse reuse;
+  RegularTriangulation<D> triangulation = regular_triangulation<D>(points, threads);
+  std::string text = matchers::digest(triangulation, points).text();
+  const Filtration<D> filtration(std::move(triangulation), threads);
+  return text + ' ' + matchers::digest(filtration, threads).text() + ' ' +
+         matchers::signatures_digest(filtration, threads).text();
+}
+
+template <int D>
+bool is_determined(PointFamily family, std::size_t largest) {
+  const std::size_t count = std::min(count_of(family), largest);
+  const WeightedPoints points = generators::points_of(family, D, count, /*seed=*/1);
+  const WeightedPoints shuffled =
+      generators::with_rows(points, generators::random_permutation(points.size(), /*seed=*/2));
+  std::cout << D << "D " << name(family) << ' ' << points.size() << ": " << std::flush;
+  std::string expected;
+  for (const Way& way : kWays) {
+    const std::string found = digests<D>(way.is_shuffled ? shuffled : points, Threads(way.threads));
+    if (expected.empty()) {
+      expected = found;
+      std::cout << expected << std::flush;
+    } else if (found != expected) {
+      std::cout << "\n  but on " << way.threads << " threads"
+                << (way.is_shuffled ? ", shuffled: " : ": ") << found << std::endl;
+      return false;
+    }
+  }
+  std::cout << std::endl;
+  return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::size_t largest = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1'000'000;
+  bool all = true;
+  for (const PointFamily family : generators::point_families()) {
+    all &= is_determined<2>(family, largest);
+    all &= is_determined<3>(family, largest);
+  }
+  return all ? EXIT_SUCCESS : EXIT_FAILURE;
+}
