@@ -11,6 +11,9 @@
 #include "orthoball/exact/perturbation.h"
 
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace orthoball {
@@ -30,8 +33,72 @@ bool precedes(const Sites<D>& sites, std::uint32_t a, std::uint32_t b) {
   return before(sites.exact(a).x, sites.exact(b).x);
 }
 
+namespace {
+
+// What stands between a query and the corners of a simplex, where that is so small, and integers,
+// that positions compare as one double and determinants have no error.
+template <int D>
+class SmallTie {
+ public:
+  SmallTie(const Sites<D>& sites, const Corners<D>& corners, std::uint32_t query) {
+    double sum = 0.0;  // not the largest, which would take branches
+    for (std::size_t i = 0; i <= D; ++i) {
+      keys_[i] = 0.0;
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        const double x = sites[corners[i]].x[axis] - sites[query].x[axis];
+        rows_[i][axis] = x;
+        keys_[i] = keys_[i] * kBase + x;
+        sum += std::abs(x);
+      }
+    }
+    is_small_ = sites.is_integral() && sum <= kBase / 4;
+  }
+  [[nodiscard]] bool is_small() const { return is_small_; }
+
+  // Only if small.
+  [[nodiscard]] bool conflicts() {
+    for (std::size_t count = 0; count <= D; ++count) {
+      std::size_t last = 0;
+      for (std::size_t i = 1; i <= D; ++i) last = keys_[i] > keys_[last] ? i : last;
+      if (keys_[last] < 0.0) return false;  // the query is later
+      const double lambda = lambda_of(last);
+      if (lambda != 0.0) return lambda > 0.0;
+      keys_[last] = -std::numeric_limits<double>::infinity();
+    }
+    return false;
+  }
+
+ private:
+  // Differences of up to a quarter are told apart as digits. D of them, and D! products of D, are
+  // below 2^53.
+  static constexpr double kBase = D == 3 ? 0x1p+17 : 0x1p+25;
+
+  // The orientation with the query in the place of corner i: of (query, others) in an order that
+  // makes (i, others) an even permutation.
+  [[nodiscard]] double lambda_of(std::size_t i) const {
+    if constexpr (D == 3) {
+      const auto &a = rows_[i ^ 1U], &b = rows_[i ^ 2U], &c = rows_[i ^ 3U];
+      return a[2] * (b[0] * c[1] - b[1] * c[0]) - b[2] * (a[0] * c[1] - a[1] * c[0]) +
+             c[2] * (a[0] * b[1] - a[1] * b[0]);
+    } else {
+      const auto &a = rows_[(i + 1) % 3], &b = rows_[(i + 2) % 3];
+      return a[0] * b[1] - a[1] * b[0];
+    }
+  }
+
+  std::array<std::array<double, std::size_t{D}>, std::size_t{D + 1}> rows_;
+  std::array<double, std::size_t{D + 1}> keys_;
+  bool is_small_;
+};
+
+}  // namespace
+
 template <int A, int D>
 bool perturbed_conflict(const Sites<D>& sites, const Corners<A>& corners, std::uint32_t query) {
+  if constexpr (A == D) {
+    SmallTie<D> tie(sites, corners, query);
+    if (tie.is_small()) return tie.conflicts();
+  }
   std::array<std::uint32_t, std::size_t{A + 1}> left;  // corners not looked at yet
   for (std::uint32_t i = 0; i <= A; ++i) left[i] = i;
   for (std::size_t count = A + 1; count > 0; --count) {

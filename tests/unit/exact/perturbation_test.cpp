@@ -123,6 +123,16 @@ void check_ties(const WeightedPoints& points, std::uint64_t seed, int count, Rea
   }
 }
 
+// Lengths times an odd number, which no unit takes back.
+WeightedPoints stretched(const WeightedPoints& points, double factor) {
+  std::vector<double> coordinates(points.coordinates().begin(), points.coordinates().end());
+  std::vector<double> weights(points.weights().begin(), points.weights().end());
+  for (double& x : coordinates) x *= factor;
+  const bool are_squares = points.weight_kind() == WeightKind::weight;
+  for (double& weight : weights) weight *= are_squares ? factor * factor : factor;
+  return {points.dimension(), coordinates, points.weight_kind(), weights};
+}
+
 template <int A, int D>
 Reached reached_by_ties() {
   Reached reached;
@@ -130,7 +140,11 @@ Reached reached_by_ties() {
        {PointFamily::grid, PointFamily::lattice, PointFamily::cospherical, PointFamily::coplanar,
         PointFamily::nested_balls}) {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
-      check_ties<A, D>(points_of(family, D, 27, seed), seed, 400, reached);
+      const WeightedPoints points = points_of(family, D, 27, seed);
+      // About where differences become too large for the way of small ones, and far beyond.
+      for (const double factor : {1.0, 301.0, 3001.0, 1000003.0}) {
+        check_ties<A, D>(factor == 1.0 ? points : stretched(points, factor), seed, 200, reached);
+      }
     }
   }
   return reached;
