@@ -57,6 +57,10 @@ class BoundaryNumbers {
       count_ += is_new;
       return number;
     }
+    /// Below kMost for a vertex that has appeared, and only for these.
+    [[nodiscard]] std::uint32_t unseen(std::uint32_t vertex) const {
+      return marks_[vertex] ^ stamp_;
+    }
     /// Notes that a vertex has appeared; whether for the first time.
     bool note(std::uint32_t vertex) {
       const bool is_new = (marks_[vertex] ^ stamp_) >= kMost;
@@ -129,8 +133,7 @@ class ConflictRegion {
       search_.revive();
       return Outcome::postponed;
     }
-    if (!sites_.is_unweighted()) note_swallowed(hidden);
-    restar(site);
+    restar(site, hidden);
     return Outcome::inserted;
   }
   /// One of the cells of the site inserted last.
@@ -165,25 +168,34 @@ class ConflictRegion {
     return true;
   }
 
-  void restar(std::uint32_t site) {
-    if constexpr (A == 1) {
-      restar_on_line(site);
-    } else if constexpr (A == 2) {
-      restar_in_plane(site);
-    } else if (search_.boundary().size() <= kMatrixFacets) {
-      restar_by_matrix(site);
-    } else {
-      restar_by_sorting(site);
+  void restar(std::uint32_t site, std::vector<std::uint32_t>& swallowed) {
+    auto numbering = numbers_.of_new_boundary();
+    if constexpr (A == 3) {
+      if (search_.boundary().size() <= kMatrixFacets) {
+        number_boundary(numbering);
+        note_swallowed(numbering, swallowed);
+        return restar_by_matrix(site);
+      }
     }
+    if (!sites_.is_unweighted()) {
+      for (const Facet& facet : search_.boundary()) {
+        for (const std::uint32_t vertex : facet.vertices) numbering.note(vertex);
+      }
+      note_swallowed(numbering, swallowed);
+    }
+    if constexpr (A == 1) restar_on_line(site);
+    if constexpr (A == 2) restar_in_plane(site);
+    if constexpr (A == 3) restar_by_sorting(site);
   }
 
-  void restar_by_matrix(std::uint32_t site) {
+  // Fills facet_numbers_, and the matrix with the facets to the left of ridges.
+  void number_boundary(typename BoundaryNumbers::Numbering& numbering_to_go_on) {
     const std::span<const Facet> boundary = search_.boundary();
     if (facet_numbers_.size() < boundary.size()) facet_numbers_.resize(2 * boundary.size());
     Numbers* const facet_numbers = facet_numbers_.data();
     std::uint32_t* const left_of = left_of_.data();
     const std::uint32_t* const places = places_.data();
-    auto numbering = numbers_.of_new_boundary();
+    auto numbering = numbering_to_go_on;  // in registers
     for (std::size_t f = 0; f < boundary.size(); ++f) {
       const auto vertices = boundary[f].vertices;
       Numbers n;
@@ -194,6 +206,14 @@ class ConflictRegion {
       left_of[n[2] * kMatrixSide + n[0]] = facet + 1;
       left_of[n[0] * kMatrixSide + n[1]] = facet + 2;
     }
+    numbering_to_go_on = numbering;
+  }
+
+  void restar_by_matrix(std::uint32_t site) {
+    const std::span<const Facet> boundary = search_.boundary();
+    const Numbers* const facet_numbers = facet_numbers_.data();
+    const std::uint32_t* const left_of = left_of_.data();
+    const std::uint32_t* const places = places_.data();
     Cell* const cells = &cells_[0];
     for (std::size_t f = 0; f < boundary.size(); ++f) {
       const Numbers n = facet_numbers[f];
@@ -264,15 +284,18 @@ class ConflictRegion {
     }
   }
 
-  // Vertices of dead cells that are not on the boundary have lost their power cell.
-  void note_swallowed(std::vector<std::uint32_t>& swallowed) {
-    auto numbering = numbers_.of_new_boundary();
-    for (const Facet& facet : search_.boundary()) {
-      for (const std::uint32_t vertex : facet.vertices) numbering.note(vertex);
+  // Vertices of dead cells that are not on the boundary have lost their power cell. Few have any.
+  void note_swallowed(typename BoundaryNumbers::Numbering& boundary,
+                      std::vector<std::uint32_t>& swallowed) {
+    if (sites_.is_unweighted()) return;
+    std::uint32_t unseen = 0;
+    for (const std::uint32_t cell : search_.dead()) {
+      for (const std::uint32_t vertex : cells_[cell].corners) unseen |= boundary.unseen(vertex);
     }
+    if (unseen < BoundaryNumbers::kMost) return;
     for (const std::uint32_t cell : search_.dead()) {
       for (const std::uint32_t vertex : cells_[cell].corners) {
-        if (numbering.note(vertex)) swallowed.push_back(vertex);
+        if (boundary.note(vertex)) swallowed.push_back(vertex);
       }
     }
   }
