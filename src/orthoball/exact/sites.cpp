@@ -51,6 +51,17 @@ constexpr int kDigits = 53;
 // Every length is below 2^top.
 int top_of(const Extent& extent) { return std::ilogb(extent.largest) + 1; }
 
+// About the root of a weight's size, and where its lowest bit is: the weight is a multiple of the
+// square of that.
+std::pair<double, int> root_of_weight(const WeightedPoints& points, std::size_t row) {
+  const double number = std::abs(points.weights()[row]);
+  if (number == 0.0) return {0.0, 0};
+  if (points.weight_kind() == WeightKind::radius) return {number, lowest_bit(number)};
+  const double rest = points.weights_low().empty() ? 0.0 : points.weights_low()[row];
+  const int low = lowest_bit(rest == 0.0 ? number : rest);
+  return {std::sqrt(number), (low - (low < 0 ? 1 : 0)) / 2};  // rounded down
+}
+
 // Of some rows, in their order: sites are far apart there.
 Extent extent_of(const WeightedPoints& points, std::size_t begin, std::size_t end) {
   Extent extent;
@@ -72,15 +83,12 @@ Extent extent_of(const WeightedPoints& points, std::size_t begin, std::size_t en
       }
     }
     if (points.weight_kind() == WeightKind::none) continue;
-    const Weight weight = exact_weight(points, row);
-    if (weight.high == 0.0) continue;
-    const double length = std::ldexp(std::sqrt(std::abs(weight.high)), weight.exponent / 2);
+    const auto [length, low] = root_of_weight(points, row);
     if (is_wide) {
       extent.largest = std::max(extent.largest, length);
-      continue;
+    } else if (length != 0.0) {
+      add(length, low);
     }
-    const int low = lowest_bit(weight.low == 0.0 ? weight.high : weight.low) + weight.exponent;
-    add(length, (low - (low < 0 ? 1 : 0)) / 2);  // rounded down
   }
   return extent;
 }
