@@ -15,9 +15,9 @@ struct Cost {
 };
 constexpr std::array kCosts = {
     Cost{Stage::reading, "reading", 100, 70},
-    Cost{Stage::triangulation, "triangulation", 2100, 600},
-    Cost{Stage::filtration, "filtration", 2200, 300},
-    Cost{Stage::signatures, "signatures", 3800, 900},
+    Cost{Stage::triangulation, "triangulation", 2000, 480},
+    Cost{Stage::filtration, "filtration", 2050, 290},
+    Cost{Stage::signatures, "signatures", 2350, 420},
     Cost{Stage::writing_filter, "writing", 7700, 1550},
     Cost{Stage::writing_shape, "writing", 400, 200},
 };

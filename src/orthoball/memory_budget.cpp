@@ -127,11 +127,11 @@ struct Sizes {
   std::uint64_t kept_site;      // of the triangulation when it is done
   std::uint64_t kept_cell;
 };
-constexpr Sizes kPlane{190, 20, 45, 60, 24};
-constexpr Sizes kSpace{540, 67, 140, 90, 32};
+constexpr Sizes kPlane{115, 20, 45, 60, 24};
+constexpr Sizes kSpace{320, 67, 140, 90, 32};
 constexpr std::uint64_t kSimplex = 32;           // bytes of the filtration
 constexpr std::uint64_t kSimplexFilter = 10;     // more while a filter is made
-constexpr std::uint64_t kSimplexSignature = 20;  // more while signatures are scanned
+constexpr std::uint64_t kSimplexSignature = 13;  // more while signatures are scanned
 
 const Sizes& sizes(int dimension) { return dimension == 2 ? kPlane : kSpace; }
 
