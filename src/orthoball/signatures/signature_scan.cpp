@@ -17,11 +17,14 @@ SignatureScan<D>::SignatureScan(const Filtration<D>& filtration, Threads threads
     : filtration_(filtration),
       threads_(threads),
       roles_(filtration, threads),
-      cycles_(filtration, roles_, threads),
       measures_(filtration, roles_, threads),
       end_{RoleCounts<D>(filtration)} {
-  parallel_for(threads, D, [&](std::size_t k) {
-    if (k < lower_.size()) {
+  // The longest first.
+  parallel_for(threads, 3 + lower_.size(), [&](std::size_t task) {
+    if (task == 0) return cycles_.count_voids(filtration, roles_);
+    if (task == 1) return cycles_.count_joining(filtration);
+    if (task < 2 + lower_.size()) {
+      const std::size_t k = lower_.size() + 1 - task;
       lower_[k] = {filtration, static_cast<int>(k)};
       return;
     }

@@ -208,31 +208,30 @@ constexpr std::size_t kLeastSimplices = 50'000;
 }  // namespace
 
 template <int D>
-CycleCounts<D>::CycleCounts(const Filtration<D>& filtration, const FacetRoles<D>& roles,
-                            Threads threads) {
-  const std::uint32_t largest = filtration.spectrum_size();
-  parallel_for(threads, D == 3 ? 2 : 1, [&](std::size_t task) {
-    if constexpr (D == 3) {
-      if (task == 0) {
-        const VoidIndices voids = void_indices(filtration, roles);
-        opening = counted(largest, voids.opening);
-        closing = counted(largest, voids.closing);
-        return;
-      }
-    }
-    joining = counted(largest, joining_indices(filtration));
-  });
+void CycleCounts<D>::count_voids(const Filtration<D>& filtration, const FacetRoles<D>& roles) {
+  if constexpr (D == 3) {
+    const VoidIndices voids = void_indices(filtration, roles);
+    opening = counted(filtration.spectrum_size(), voids.opening);
+    closing = counted(filtration.spectrum_size(), voids.closing);
+  }
+}
+
+template <int D>
+void CycleCounts<D>::count_joining(const Filtration<D>& filtration) {
+  joining = counted(filtration.spectrum_size(), joining_indices(filtration));
 }
 
 template <int D>
 BettiScan<D>::BettiScan(const Filtration<D>& filtration, Threads threads)
-    : cycles_(filtration, FacetRoles<D>(filtration, threads), threads),
-      last_(filtration.spectrum_size()) {
-  parallel_for(threads, enter_.size(), [&](std::size_t k) {
-    const int dimension = static_cast<int>(k);
+    : last_(filtration.spectrum_size()) {
+  const FacetRoles<D> roles(filtration, threads);
+  parallel_for(threads, 2 + enter_.size(), [&](std::size_t task) {
+    if (task == 0) return cycles_.count_voids(filtration, roles);
+    if (task == 1) return cycles_.count_joining(filtration);
+    const int dimension = static_cast<int>(task) - 2;
     const auto enters = filtration.enters().subspan(filtration.table().first(dimension),
                                                     filtration.count(dimension));
-    enter_[k] = counted(last_, enters);
+    enter_[task - 2] = counted(last_, enters);
   });
 }
 

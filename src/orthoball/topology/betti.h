@@ -45,8 +45,10 @@ class CycleMarks {
 /// filled at the index at which they open. Two bytes for each: about 8 a site in space.
 template <int D>
 struct CycleCounts {
-  CycleCounts(const Filtration<D>& filtration, const FacetRoles<D>& roles,
-              Threads threads = Threads(1));
+  /// Fills `opening` and `closing`. Most of the work, and independent of the other.
+  void count_voids(const Filtration<D>& filtration, const FacetRoles<D>& roles);
+  /// Fills `joining`.
+  void count_joining(const Filtration<D>& filtration);
 
   IndexCounts joining;           ///< edges that join two components
   IndexCounts opening, closing;  ///< voids, in space
