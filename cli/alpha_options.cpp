@@ -107,7 +107,9 @@ ChosenAlpha automatic_alpha(const Loaded& input) {
 }
 
 std::string text_of(const ChosenAlpha& alpha) {
-  if (orthoball::is_of_empty_complex(alpha.alpha2)) return "index 0, the empty complex";
+  if (orthoball::is_of_empty_complex(alpha.index, alpha.alpha2)) {
+    return "index 0, the empty complex";
+  }
   const auto number = [](double x) {
     return std::isfinite(x) ? fmt::format("{}", x + 0.0) : "beyond double range";
   };

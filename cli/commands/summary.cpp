@@ -70,11 +70,9 @@ Facts<D> facts(const orthoball::Filtration<D>& filtration, std::vector<ChosenAlp
   return facts;
 }
 
-// A number that JSON can hold; counts those beyond the range of doubles. The empty complex has no
-// alpha.
+// A number that JSON can hold; counts those beyond the range of doubles.
 Json finite(double number, std::size_t& missing) {
   if (std::isfinite(number)) return number + 0.0;
-  if (orthoball::is_of_empty_complex(number)) return nullptr;
   ++missing;
   return nullptr;
 }
@@ -122,10 +120,11 @@ Json json_report(const Loaded& input, const orthoball::Filtration<D>& filtration
   for (std::size_t i = 0; i < facts.at.size(); ++i) {
     const auto& s = facts.at[i];
     const ChosenAlpha& asked = facts.asked[i];
+    const bool has_alpha = !orthoball::is_of_empty_complex(s.index, s.alpha2);
     json["at"].push_back({{"name", asked.name.empty() ? Json() : Json(asked.name)},
                           {"index", s.index},
-                          {"alpha2", number(s.alpha2)},
-                          {"alpha", number(asked.alpha)},
+                          {"alpha2", has_alpha ? number(s.alpha2) : Json()},
+                          {"alpha", has_alpha ? number(asked.alpha) : Json()},
                           {"betti", s.betti},
                           {"euler", s.euler},
                           {"volume", number(s.volume)},

@@ -13,6 +13,7 @@ import math
 import os
 import pathlib
 import pty
+import re
 import resource
 import signal
 import struct
@@ -420,6 +421,20 @@ class EmptyComplex(InAFolder):
             said = self.said("shape", EIGHT, "--index", "0", "-o", output).stderr
             self.assertIn("orthoball: index 0, the empty complex: 0 regular edges", said)
             self.assertIn(words, output.read_bytes())
+
+    def test_is_not_taken_for_an_alpha2_below_the_double_range(self):
+        path = self.file("huge.xyzr", "0 0 0 1e200\n3e200 0 0 1\n0 0 1 1\n")
+        words = "alpha2 beyond double range"
+        self.assertIn(f"\nat {words}, alpha beyond double range, index 1\n  betti          1 component",
+                      self.done("summary", path, "--index", "1").stdout)
+        ply = self.folder / "shape.ply"
+        self.assertIn("1 singular vertex", self.done("shape", path, "--index", "1", "-o", ply).stderr)
+        self.assertIn(f"at {words}, index 1\n".encode(), ply.read_bytes())
+        for command in ["summary", "signatures"]:
+            empty, first = [self.done(command, path, "--index", index, "--json").stderr
+                            for index in ("0", "1")]
+            count = lambda said: int((re.search(r"warning: (\d+) number", said) or [0, 0])[1])
+            self.assertEqual(count(first) - count(empty), 2)
 
     def test_keeps_an_alpha2_that_was_asked_for(self):
         self.assertIn("\nat alpha2 -5, alpha -2.23606797749979, index 0\n",

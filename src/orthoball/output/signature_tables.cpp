@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -30,8 +31,8 @@ std::array<std::span<const std::uint32_t>, 4> counts(const Signature<D>& s) {
 }
 
 // alpha2 or its signed root; the empty complex has neither.
-void write_alpha(ByteSink& sink, double number) {
-  return is_of_empty_complex(number) ? sink.none() : sink.real(number);
+void write_alpha(ByteSink& sink, std::uint32_t index, double number) {
+  return is_of_empty_complex(index, number) ? sink.none() : sink.real(number);
 }
 
 void write_json_array(ByteSink& sink, std::span<const std::uint32_t> numbers) {
@@ -72,9 +73,9 @@ void write_signature_csv(ByteSink& sink, const SignatureRow<D>& row) {
   const Signature<D>& s = row.signature;
   sink.integer(s.index);
   sink.text(",");
-  write_alpha(sink, s.alpha2);
+  write_alpha(sink, s.index, s.alpha2);
   sink.text(",");
-  write_alpha(sink, row.alpha);
+  write_alpha(sink, s.index, row.alpha);
   const auto integers = [&](std::span<const std::uint32_t> numbers) {
     for (const std::uint32_t n : numbers) {
       sink.text(",");
@@ -98,9 +99,9 @@ void write_signature_json(ByteSink& sink, const SignatureRow<D>& row) {
   sink.text("{\"index\":");
   sink.integer(s.index);
   sink.text(",\"alpha2\":");
-  write_alpha(sink, s.alpha2);
+  write_alpha(sink, s.index, s.alpha2);
   sink.text(",\"alpha\":");
-  write_alpha(sink, row.alpha);
+  write_alpha(sink, s.index, row.alpha);
   sink.text(",\"betti\":");
   write_json_array(sink, s.betti);
   sink.text(",\"euler\":");
