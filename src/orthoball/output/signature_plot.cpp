@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "orthoball/filtration/alpha.h"
 #include "orthoball/output/plot_panel.h"
@@ -22,6 +23,8 @@ constexpr double kShare = 0.8;        // of the top simplices, for the automatic
 constexpr double kReach = 12.0;       // the largest multiple of what they span that is shown
 constexpr double kLetterWidth = 7.0;  // of a mark's letter; pixels
 constexpr double kBoldness = 1.1;     // bold letters are so much wider
+// An axis begins nearer to 0 than this and ends within twice that, so that its length is a double.
+constexpr double kFarthest = std::numeric_limits<double>::max() / 4.0;
 
 const std::array<std::string, 3> kBettiTitles{"Components, betti 0", "Tunnels, betti 1",
                                               "Voids, betti 2"};
@@ -116,12 +119,16 @@ SignaturePlot<D>::SignaturePlot(const Filtration<D>& filtration, PlotOptions opt
     const auto position_of = [&](std::uint32_t index) {
       return position(index, filtration.alpha2(index));
     };
-    from_ = position_of(1);
+    std::uint32_t first = 1;
+    while (first < size && !std::isfinite(position_of(first))) ++first;
+    from_ = position_of(first);
     const double reach = kReach * (position_of(index_of_share(filtration)) - from_);
     const double settled = position_of(last_change_of_topology(filtration)) - from_;
     to_ = std::min(from_ + 1.25 * (reach > 0.0 ? std::min(settled, reach) : settled), last_);
   }
-  if (!(std::isfinite(from_) && std::isfinite(to_) && from_ < to_)) to_ = from_ + 1.0;
+  from_ = std::isfinite(from_) ? std::clamp(from_, -kFarthest, kFarthest) : 0.0;
+  if (!(std::isfinite(to_) && from_ < to_)) to_ = from_ + std::max(1.0, std::abs(from_));
+  to_ = std::min(to_, 2.0 * kFarthest);
   curves_.assign(static_cast<std::size_t>(D) + (D == 3 ? 5 : 4), StepCurve(kPanelWidth));
 }
 

@@ -81,6 +81,31 @@ TEST(SignaturePlot, SaysWhatIsBeyondTheDoubleRange) {
   EXPECT_NE(svg.find("connected (beyond double range)<"), std::string::npos);
 }
 
+TEST(SignaturePlot, BeginsAndEndsWithinTheDoubleRange) {
+  const std::vector<std::vector<double>> radii{
+      {1e200}, {1e200, 1.0, 1.0}, {1e200, 1e200, 1e200}, {1e154}};
+  for (const auto& each : radii) {
+    std::vector<double> coordinates;
+    for (std::size_t i = 0; i < each.size(); ++i) {
+      const auto x = static_cast<double>(i);
+      coordinates.insert(coordinates.end(), {3e200 * x, x * x});
+    }
+    const WeightedPoints points(2, std::move(coordinates), WeightKind::radius, each);
+    const Filtration<2> filtration(regular_triangulation<2>(points));
+    for (const PlotAxis axis : {PlotAxis::alpha, PlotAxis::alpha2}) {
+      PlotOptions options;
+      options.axis = axis;
+      SignaturePlot<2> picture(filtration, options);
+      scan_signatures<2>(filtration, [&](const Signature<2>& s) { picture.add(s); });
+      const std::string svg = written([&](ByteSink& s) { picture.write(s); });
+      EXPECT_EQ(count(svg, "class=\"curve\""), 6U);
+      EXPECT_EQ(svg.find("range and beyond"), std::string::npos) << svg;
+      EXPECT_EQ(svg.find("nan"), std::string::npos) << svg;
+      EXPECT_EQ(svg.find("inf"), std::string::npos) << svg;
+    }
+  }
+}
+
 TEST(SignaturePlot, OfNothingIsAPictureToo) {
   EXPECT_EQ(count(plot(Shapes<3>({}), {}), "class=\"curve\""), 8U);
   EXPECT_EQ(count(plot(Shapes<2>({1, 1}), {}), "class=\"curve\""), 6U);
