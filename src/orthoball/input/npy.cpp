@@ -85,7 +85,7 @@ Header header_of(const Source& source) {
   const bool is_plain = type.size() == 5 && type[0] == '\'' && type[4] == '\'';
   const auto known = is_plain ? number_type(type.substr(2, 2)) : std::nullopt;
   if (!known || "<>|="sv.find(type[1]) == std::string_view::npos) {
-    fail(10, "elements of type " + std::string(type) +
+    fail(10, "elements of type " + printable(type) +
                  "; save the array as float64, float32 or integers");
   }
   header.type = *known;
@@ -100,7 +100,7 @@ Header header_of(const Source& source) {
   if (!second.empty() && second.back() == ',') second.remove_suffix(1);
   if (shape.empty() || shape[0] != '(' || second.empty() ||
       second.find(',') != std::string_view::npos) {
-    fail(10, "an array of shape " + std::string(tuple) +
+    fail(10, "an array of shape " + printable(tuple) +
                  "; points by columns, such as (1000, 3), are read");
   }
   header.rows = count_at(source, 0, trimmed(shape.substr(1, comma - 1)), "the number of rows");

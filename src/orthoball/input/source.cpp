@@ -222,10 +222,10 @@ bool Lines::next(std::string_view& line) {
   return true;
 }
 
-std::string quoted(std::string_view text) {
+std::string printable(std::string_view text) {
   constexpr std::size_t kMost = 40;
   constexpr std::string_view kHex = "0123456789abcdef";
-  std::string words = "\"";
+  std::string words;
   for (const char c : text.substr(0, kMost)) {
     if (c >= ' ' && c <= '~') {
       words += c;
@@ -234,7 +234,9 @@ std::string quoted(std::string_view text) {
       words += {'\\', 'x', kHex[byte >> 4U], kHex[byte & 15U]};
     }
   }
-  return words + (text.size() > kMost ? "...\"" : "\"");
+  return words + (text.size() > kMost ? "..." : "");
 }
+
+std::string quoted(std::string_view text) { return '"' + printable(text) + '"'; }
 
 }  // namespace orthoball

@@ -61,7 +61,10 @@ class Lines {
   std::size_t number_ = 0;
 };
 
-/// At most 40 characters of `text` in quotes, what is not printable ASCII as \xNN. For messages.
+/// At most 40 characters of `text`, what is not printable ASCII as \xNN. For messages.
+[[nodiscard]] std::string printable(std::string_view text);
+
+/// The same in quotes.
 [[nodiscard]] std::string quoted(std::string_view text);
 
 }  // namespace orthoball

@@ -119,6 +119,16 @@ TEST(ReadNpy, NamesTypesAndShapesAsTheyAreWritten) {
             "integers");
 }
 
+TEST(ReadNpy, MessagesAreShortAndPrintableWhateverTheFileSays) {
+  const std::string wild = "\x1b[2J\x07" + std::string(60000, 'x');
+  for (const std::string& bytes : {npy("<f8" + wild, "False", "(1, 2)", "", 2),
+                                   npy("<f8", "False", "(1, " + wild + ", 2)", "", 2)}) {
+    const std::string message = error_of(read_npy, bytes);
+    EXPECT_LT(message.size(), 200U);
+    EXPECT_NE(message.find("\\x1b[2J\\x07xxx"), std::string::npos) << quoted(message);
+  }
+}
+
 TEST(ReadNpy, RefusesWhatItCannotRead) {
   const std::string good = npy("<f8", "False", "(1, 2)", doubles({1, 2}));
   for (std::size_t length = 0; length < good.size(); ++length) {
