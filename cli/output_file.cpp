@@ -58,16 +58,21 @@ std::string temporary_beside(const std::filesystem::path& path) {
 }
 
 // mkstemp's files are for the owner only. Ours are for those whom the file that is replaced was
-// for, or for those whom any other new file is for.
-void open_to_others(const std::string& temporary, const std::filesystem::file_status& replaced) {
-  auto permissions = replaced.permissions();
-  if (!std::filesystem::exists(replaced)) {
+// for, or for those whom any other new file is for. A program that it was is not to run as its
+// owner any more. Where its group cannot be kept, another group may do no more than all others.
+void open_to_others(const std::string& temporary, const std::string& path) {
+  struct stat replaced = {};
+  mode_t mode = 0;
+  if (stat(path.c_str(), &replaced) == 0) {
+    mode = replaced.st_mode & 0777U;
+    const bool keeps_group = chown(temporary.c_str(), static_cast<uid_t>(-1), replaced.st_gid) == 0;
+    if (!keeps_group) mode &= 0707U | (mode & 07U) << 3U;
+  } else {
     const mode_t mask = umask(0);
     umask(mask);
-    permissions = static_cast<std::filesystem::perms>(0666 & ~mask);
+    mode = 0666U & ~mask;
   }
-  std::error_code ignored;
-  std::filesystem::permissions(temporary, permissions, ignored);
+  chmod(temporary.c_str(), mode);
 }
 
 }  // namespace
@@ -89,7 +94,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), is_standard_(
     temporary_ = temporary_beside(path_);
     if (temporary_.empty()) fail("cannot be written");
     file_.open(temporary_, std::ios::binary);
-    open_to_others(temporary_, status);
+    open_to_others(temporary_, path_);
   }
   if (!file_) fail("cannot be written");
 }

@@ -281,6 +281,30 @@ class Files(InAFolder):
             self.done("filter", C60, "-o", output, umask=0o022)
             self.assertEqual(output.stat().st_mode & 0o777, mode)
         self.assertTrue(output.read_text().startswith("position,"))
+        output.chmod(0o6755)
+        self.done("filter", C60, "-o", output, umask=0o022)
+        self.assertEqual(output.stat().st_mode & 0o7777, 0o755)
+
+    def test_a_file_that_is_replaced_keeps_its_group(self):
+        output = self.file("out.csv", "secret")
+        group = next((group for group in [1, *os.getgroups()] if group != output.stat().st_gid), None)
+        try:
+            os.chown(output, -1, group)
+        except (PermissionError, TypeError):
+            self.skipTest("this user has one group")
+        output.chmod(0o660)
+        self.done("filter", C60, "-o", output)
+        self.assertEqual((output.stat().st_gid, output.stat().st_mode & 0o7777), (group, 0o660))
+
+    @unittest.skipUnless(os.getuid() == 0, "needs two users")
+    def test_a_group_that_cannot_be_kept_is_not_replaced_by_another(self):
+        for mode, kept in [(0o660, 0o600), (0o664, 0o644), (0o640, 0o600)]:
+            output = self.file("out.csv", "secret")
+            os.chown(self.folder, 65534, 65534)
+            os.chown(output, 65534, 1)
+            output.chmod(mode)
+            self.done("filter", C60, "-o", output, user=65534, group=65534, extra_groups=[])
+            self.assertEqual((output.stat().st_gid, output.stat().st_mode & 0o7777), (65534, kept))
 
     def interrupted(self, number, **options):
         """Status of a program that gets a signal while it writes, and what it leaves."""
