@@ -30,8 +30,10 @@ extern "C" void remove_unfinished(int signal) {
   raise(signal);
 }
 
+constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
+
 void remove_on_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int signal : kSignals) {
     struct sigaction action = {};
     sigaction(signal, nullptr, &action);
     if (action.sa_handler != SIG_DFL) continue;  // ignored, as nohup does
@@ -41,18 +43,34 @@ void remove_on_signals() {
   }
 }
 
+// While one lives, the signals wait for this thread.
+class SignalsWait {
+ public:
+  SignalsWait() {
+    sigset_t ours;
+    sigemptyset(&ours);
+    for (const int signal : kSignals) sigaddset(&ours, signal);
+    pthread_sigmask(SIG_BLOCK, &ours, &before_);
+  }
+  SignalsWait(const SignalsWait&) = delete;
+  SignalsWait& operator=(const SignalsWait&) = delete;
+  ~SignalsWait() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_{};
+};
+
 // A file of its own beside `path`, empty. Nothing where none can be made; errno says why.
 std::string temporary_beside(const std::filesystem::path& path) {
   static std::deque<std::string> names;
   if (names.empty()) remove_on_signals();
   std::string& name = names.emplace_back(
       (path.parent_path() / ("." + path.filename().string() + ".XXXXXX")).string());
-  unfinished = name.c_str();  // before there is a file: a signal may come at any time
+  // While mkstemp tries names, they may be those of others' files; no handler is to read them.
+  const SignalsWait waiting;
   const int descriptor = mkstemp(name.data());
-  if (descriptor < 0) {
-    unfinished = nullptr;
-    return {};
-  }
+  if (descriptor < 0) return {};
+  unfinished = name.c_str();
   close(descriptor);
   return name;
 }
