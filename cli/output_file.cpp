@@ -30,7 +30,7 @@ extern "C" void remove_unfinished(int signal) {
   raise(signal);
 }
 
-constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
+constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU};
 
 void remove_on_signals() {
   for (const int signal : kSignals) {

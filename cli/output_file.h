@@ -18,8 +18,9 @@ class ReaderGone : public orthoball::OutputError {
 
 /// Where a command's data goes: standard output for "-", otherwise a file that appears whole or not
 /// at all. It is written beside its place under another name, takes its place on `commit` with the
-/// permissions of the file that was there, and is removed if that never comes, also when a signal
-/// ends the program. A device or pipe (/dev/full, a FIFO) is written directly. One at a time.
+/// permissions of the file that was there, and is removed if that never comes, also when
+/// SIGINT, SIGTERM, SIGHUP, SIGQUIT or SIGXCPU ends the program. A device or pipe (/dev/full, a
+/// FIFO) is written directly. One at a time.
 class OutputFile {
  public:
   /// @throws orthoball::OutputError that says why nothing can be written there.

@@ -330,8 +330,9 @@ class Files(InAFolder):
         self.assertEqual(points.read_text(), "0 0\n1 0\n0 1\n")
 
     def test_a_signal_leaves_no_unfinished_file(self):
-        for number in [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]:
-            self.assertEqual(self.interrupted(number), (-number, ["points.txt"]))
+        no_core = lambda: resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        for number in [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT, signal.SIGXCPU]:
+            self.assertEqual(self.interrupted(number, preexec_fn=no_core), (-number, ["points.txt"]))
 
     def test_a_signal_that_is_ignored_stays_ignored(self):
         ignore = lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN)
