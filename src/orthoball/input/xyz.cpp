@@ -195,14 +195,16 @@ Atom atom_of(const Source& source, std::size_t line, const std::vector<std::stri
   return atom;
 }
 
-// Reads one frame behind its count; keeps its atoms if it is taken.
+// Reads one frame behind its count; keeps its atoms if it is taken. Radii are read if none are
+// named by the options.
 void read_frame(const Source& source, Lines& lines, std::size_t count, bool is_taken,
-                Molecule& molecule) {
+                const ReadOptions& options, Molecule& molecule) {
   const std::size_t head = lines.number();
   std::string_view line;
   if (!lines.next(line)) line = {};
   AtomColumns columns;
   if (is_taken) columns = columns_of_comment(source, lines.number(), line, molecule.warnings);
+  if (!options.radii.empty()) columns.radius = kNoColumn;
   molecule.has_radii = molecule.has_radii || columns.radius != kNoColumn;
   std::vector<std::string_view> words;
   // No more than the bytes that follow can hold.
@@ -353,7 +355,7 @@ Reading read_xyz(const Source& source, const ReadOptions& options) {
     const std::size_t count =
         count_at(source, lines.number(), text, "the number of atoms of a frame");
     const bool is_taken = frames.takes(frames.next_number());
-    read_frame(source, lines, count, is_taken, molecule);
+    read_frame(source, lines, count, is_taken, options, molecule);
   }
   frames.finish(source, molecule.notes);
   return reading_of(source, std::move(molecule), options);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -97,6 +98,19 @@ TEST(Xyz, TakesTheRadiiOfTheFileUnlessOthersAreNamed) {
   EXPECT_EQ(xyz(text, options).points.weight_kind(), WeightKind::none);
   EXPECT_EQ(faulty_line("1\nProperties=species:S:1:pos:R:3:radius:R:2\nC 0 0 0 1 1\n"), 2U);
   EXPECT_EQ(faulty_line("1\nProperties=species:S:1:pos:R:3:radius:R:1\nC 0 0 0 x\n"), 3U);
+}
+
+TEST(Xyz, LooksAtTheRadiiOfTheFileOnlyWhereTheyAreTaken) {
+  for (const char* const radii : {"bondi", "alvarez", "protor", "none"}) {
+    ReadOptions options;
+    options.radii = radii;
+    for (const auto model : {std::optional<int>(), std::optional(1)}) {
+      options.molecule.model = model;
+      const Reading reading =
+          xyz("1\nProperties=species:S:1:pos:R:3:radius:R:1\nC 0 0 0 x\n", options);
+      EXPECT_EQ(reading.points.size(), 1U) << radii;
+    }
+  }
 }
 
 TEST(Xyz, RefusesPropertiesThatDoNotFit) {
