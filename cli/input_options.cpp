@@ -20,6 +20,7 @@
 
 #include "cli/usage_error.h"
 #include "orthoball/error.h"
+#include "orthoball/input/atom_radii.h"
 #include "orthoball/input/decimal.h"
 
 namespace {
@@ -251,9 +252,17 @@ Loaded load(const InputOptions& options, Progress& progress, bool says_notes) {
 
 void require_other_file(const InputOptions& options, const std::string& output) {
   std::error_code none;  // where one of them is not there
-  const bool is_file = std::filesystem::is_regular_file(output, none);
-  if (!is_file || !std::filesystem::equivalent(options.path, output, none)) return;
-  throw UsageError(output + ": is the input, which the output would replace; name another file");
+  if (output == "-" || !std::filesystem::is_regular_file(output, none)) return;
+  const auto is_output = [&](const std::string& path) {
+    return std::filesystem::equivalent(path, output, none);
+  };
+  const auto refuse = [&](const std::string& what) {
+    throw UsageError(output + ": " + what + ", which the output would replace; name another file");
+  };
+  const std::string& radii = options.read.radii;
+  if (options.path != "-" && is_output(options.path)) refuse("is the input");
+  const bool is_set = radii.empty() || radii == "none" || orthoball::AtomRadii::is_named(radii);
+  if (!is_set && is_output(radii)) refuse("holds the radii");
 }
 
 orthoball::Threads threads_of(const InputOptions& options) {

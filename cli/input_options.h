@@ -40,7 +40,7 @@ struct Loaded {
   [[nodiscard]] std::string unit() const { return reading.is_molecule ? "Å" : ""; }
 };
 
-/// Before any work: an output must not take the place of its input.
+/// Before any work: an output must not take the place of the input or of a file of radii.
 /// @throws UsageError
 void require_other_file(const InputOptions& options, const std::string& output);
 

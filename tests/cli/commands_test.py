@@ -329,6 +329,22 @@ class Files(InAFolder):
             self.assertIn("is the input", self.refused(2, *arguments))
         self.assertEqual(points.read_text(), "0 0\n1 0\n0 1\n")
 
+    def test_a_file_of_that_name_is_not_standard_input_or_output(self):
+        self.file("-", "0 0\n1 0\n0 1\n")
+        self.assertTrue(self.done("filter", "./-", "--input-format", "table", "-o", "-",
+                                  cwd=self.folder).stdout.startswith("position,"))
+        self.done("filter", "-", "--input-format", "table", "-o", "./-", cwd=self.folder, input="0 0\n")
+        self.assertTrue((self.folder / "-").read_text().startswith("position,"))
+
+    def test_an_output_that_holds_the_radii_is_refused(self):
+        radii = self.file("radii.txt", "C 1.7\n")
+        self.assertIn("holds the radii", self.refused(2, "filter", C60, "--radii", radii, "-o", radii))
+        self.assertIn("holds the radii", self.refused(2, "signatures", C60, "--radii", "radii.txt", "--plot",
+                                                      "./radii.txt", cwd=self.folder))
+        self.assertEqual(radii.read_text(), "C 1.7\n")
+        self.file("bondi", "before")
+        self.done("filter", C60, "--radii", "bondi", "-o", "bondi", cwd=self.folder)
+
     def test_a_signal_leaves_no_unfinished_file(self):
         no_core = lambda: resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         for number in [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT, signal.SIGXCPU]:

@@ -124,6 +124,10 @@ void add_protor(Table& by_atom) {
 
 }  // namespace
 
+bool AtomRadii::is_named(std::string_view set) {
+  return set == "bondi" || set == "alvarez" || set == "protor";
+}
+
 AtomRadii::AtomRadii(const std::string& set, bool limited) : name_(set) {
   const auto add = [this](const auto& radii, const char* source) {
     for (const ElementRadius& entry : radii) {

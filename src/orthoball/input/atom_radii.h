@@ -34,6 +34,9 @@ class AtomRadii {
   /// @throws ParseError for a file that cannot be opened or has another kind of line.
   AtomRadii(const std::string& set, bool limited);
 
+  /// Whether `set` is one of the named sets, no file.
+  [[nodiscard]] static bool is_named(std::string_view set);
+
   /// The radius of an atom, empty where the set has none. Elements in any case; deuterium and
   /// tritium are hydrogen unless the set names them. O(log of the set's size).
   [[nodiscard]] std::optional<AtomRadius> radius(std::string_view element, std::string_view residue,
