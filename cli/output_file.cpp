@@ -158,6 +158,17 @@ std::size_t write_output(const std::string& path, const std::string& missing,
   return sink.missing_count();
 }
 
+bool is_same_output(const std::string& one, const std::string& other) {
+  if (one == other) return true;
+  if (one == "-" || other == "-") return false;
+  std::error_code error;  // then the path is empty
+  const auto place = [&](const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+  };
+  const std::filesystem::path first = place(one);
+  return !first.empty() && first == place(other);
+}
+
 std::string ending_of(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   if (!ending.empty()) ending.erase(0, 1);

@@ -54,5 +54,8 @@ class OutputFile {
 std::size_t write_output(const std::string& path, const std::string& missing,
                          const std::function<void(orthoball::ByteSink&)>& write);
 
+/// Whether two outputs, files that need not be there or "-", are the same.
+[[nodiscard]] bool is_same_output(const std::string& one, const std::string& other);
+
 /// The ending of a file name in lower case, without the dot; empty where there is none.
 [[nodiscard]] std::string ending_of(const std::string& path);

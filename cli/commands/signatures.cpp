@@ -171,7 +171,7 @@ void write_table(const SignaturesOptions& options, const Loaded& input, Progress
 
 void check_plot(const SignaturesOptions& options) {
   if (options.plot.empty()) return;
-  if (options.plot == options.output) {
+  if (is_same_output(options.plot, options.output)) {
     throw UsageError("--plot and -o name the same file; table and plot need one each");
   }
   require_other_file(options.input, options.plot);

@@ -154,6 +154,14 @@ class ExitStatuses(InAFolder):
             self.assertTrue((self.folder / name).read_text().startswith("<svg"))
         self.done("signatures", C60, "--plot", os.devnull)
 
+    def test_table_and_plot_need_a_file_each(self):
+        (self.folder / "link").symlink_to(self.folder)
+        for plot, table in [("a.svg", "a.svg"), ("./a.svg", "a.svg"), ("link/a.svg", "a.svg"),
+                            ("a.svg", self.folder / "a.svg")]:
+            self.assertIn("the same file", self.refused(2, "signatures", EIGHT, "--plot", plot, "-o", table,
+                                                        cwd=self.folder))
+        self.done("signatures", EIGHT, "--plot", "./-", "-o", "-", cwd=self.folder)
+
     def test_an_unknown_command_is_named(self):
         self.assertIn('"no_such_command"', self.refused(2, "no_such_command", C60))
 
