@@ -2,7 +2,8 @@
 //
 // Wavefront OBJ: the vertices, lines `v x y z`. Four numbers are a rational vertex, of which only
 // weight 1 is a point; six or seven carry a colour. Each vertex may have these or not, unless
-// columns are chosen: then all must have as many. Everything else in the file is passed over.
+// columns are chosen or the first has another count of numbers: then all must have as many.
+// Everything else in the file is passed over.
 
 #include <utility>
 
@@ -12,6 +13,12 @@
 #include "orthoball/input/text_rows.h"
 
 namespace orthoball {
+namespace {
+
+// Whether so many numbers are a vertex, perhaps with a weight or a colour.
+bool is_usual(std::size_t count) { return count == 3 || count == 4 || count == 6 || count == 7; }
+
+}  // namespace
 
 Reading read_obj(const Source& source, const ReadOptions& options) {
   Lines lines(source.bytes);
@@ -39,7 +46,9 @@ Reading read_obj(const Source& source, const ReadOptions& options) {
       names.resize(count);
       sites.name_columns(lines.number(), std::move(names));
     }
-    if (!has_own_use && options.columns.empty()) fields.resize(count);  // of which 3 are read
+    if (!has_own_use && options.columns.empty() && is_usual(fields.size()) && is_usual(count)) {
+      fields.resize(count);  // of which 3 are read
+    }
     sites.add(lines.number(), fields);
     // A fourth number must be looked at.
     if (fields.size() != 4 || has_own_use) sites.add_plain(lines, {.mark = "v"});

@@ -40,6 +40,16 @@ TEST(ReadObj, EveryVertexMayHaveAWeightOrColourOfItsOwn) {
       "f:2:");
 }
 
+TEST(ReadObj, RefusesVerticesOfOtherCountsAmongThese) {
+  for (const char* const vertex : {"v 1 2 3 4 5\n", "v 1 2 3 4 5 6 7 8\n"}) {
+    EXPECT_EQ(error_of(read_obj, std::string("v 1 2 3\n") + vertex).substr(0, 4), "f:2:");
+    EXPECT_EQ(error_of(read_obj, vertex + std::string("v 1 2 3\n")).substr(0, 4), "f:2:");
+    EXPECT_EQ(reading_of(read_obj, vertex + std::string(vertex)).points.size(), 2U);
+    EXPECT_EQ(error_of(read_obj, std::string("v 1 2 3\nv 1 2 3 1\n") + vertex).substr(0, 4),
+              "f:3:");
+  }
+}
+
 TEST(ReadObj, RefusesVerticesThatAreNone) {
   EXPECT_EQ(error_of(read_obj, "v 1 2\n").substr(0, 4), "f:1:");
   EXPECT_EQ(error_of(read_obj, "v 1 2 3\nv 1 2 x\n").substr(0, 4), "f:2:");
