@@ -101,6 +101,8 @@ double step_of(const std::vector<double>& ticks) {
   return ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
 }
 
+bool is_whole(double x) { return std::floor(x) == x; }
+
 // As many ticks of the horizontal axis as have room for their numbers.
 std::vector<double> ticks_with_room(const PlotFrame& frame) {
   constexpr int kMost = 7;
@@ -115,6 +117,11 @@ std::vector<double> ticks_with_room(const PlotFrame& frame) {
     }
     const double room = step / (frame.to - frame.from) * frame.width - kBetweenNumbers;
     if (widest <= room && (step >= 1.0 || !frame.is_whole)) break;
+  }
+  if (frame.is_whole && !std::all_of(ticks.begin(), ticks.end(), is_whole)) {
+    // Even one tick wanted is too many: the axis is shorter than 2.
+    ticks.clear();
+    for (double k = std::ceil(frame.from); k <= frame.to; ++k) ticks.push_back(k);
   }
   return ticks;
 }

@@ -36,7 +36,7 @@ struct PlotFrame {
   double left, top, width, height;
   double from, to;   ///< values at the left and right edge
   bool has_numbers;  ///< below the horizontal axis
-  bool is_whole;     ///< that axis has ticks at whole numbers only
+  bool is_whole;     ///< that axis has ticks at whole numbers only, perhaps none
 };
 
 /// Draws frame, grid, axes, curves and legend.

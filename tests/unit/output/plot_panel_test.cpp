@@ -86,6 +86,13 @@ TEST(PlotPanel, AnAxisOfWholeNumbersHasNoTicksBetweenThem) {
   const std::string svg =
       drawn({"Holes", "", true, {{&curve, "#000", ""}}}, {10, 20, 390, 150, 1.0, 2.0, true, true});
   EXPECT_EQ(places(svg, "x"), (std::vector<double>{10, 400}));
+  const auto between = [&](double from, double to) {
+    return drawn({"Holes", "", true, {{&curve, "#000", ""}}},
+                 {10, 20, 400, 150, from, to, true, true});
+  };
+  EXPECT_TRUE(places(between(1.2, 1.6), "x").empty());
+  EXPECT_EQ(places(between(1.5, 2.5), "x"), std::vector<double>{210});
+  EXPECT_NE(between(1.5, 2.5).find(">2<"), std::string::npos);
 }
 
 TEST(PlotPanel, NumbersOfALogarithmicScaleDoNotLieOnEachOther) {
