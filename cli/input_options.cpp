@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "cli/usage_error.h"
+#include "orthoball/counted.h"
 #include "orthoball/error.h"
 #include "orthoball/input/atom_radii.h"
 #include "orthoball/input/decimal.h"
@@ -288,6 +289,6 @@ void say(const InputOptions& options, const std::string& text) {
 
 void warn_of_missing(const InputOptions& options, std::size_t count, const std::string& shown) {
   if (count == 0) return;
-  say(options, fmt::format("warning: {} number{} beyond the range of a double; shown as {}", count,
-                           count == 1 ? " is" : "s are", shown));
+  say(options, fmt::format("warning: {} {} beyond the range of a double; shown as {}",
+                           orthoball::counted(count, "number"), count == 1 ? "is" : "are", shown));
 }

@@ -13,6 +13,7 @@
 #include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/usage_error.h"
+#include "orthoball/counted.h"
 #include "orthoball/output/mesh.h"
 #include "orthoball/output/planar_shape.h"
 #include "orthoball/output/shape_mesh.h"
@@ -64,13 +65,6 @@ void check_dimension(const std::string& format, int dimension) {
   }
 }
 
-std::string counted(std::size_t count, const std::string& noun) {
-  const bool is_vertex = noun.ends_with("vertex");
-  if (count == 1) return "1 " + noun;
-  return fmt::format("{} {}", count,
-                     is_vertex ? noun.substr(0, noun.size() - 2) + "ices" : noun + "s");
-}
-
 // What the boundary is made of.
 struct Contents {
   std::size_t regular;  // triangles in space, edges in the plane
@@ -111,13 +105,13 @@ void write_report(const ShapeOptions& options, const ChosenAlpha& alpha,
 void say_report(const ShapeOptions& options, const ChosenAlpha& alpha,
                 const orthoball::ShapeMesh& mesh) {
   const Contents contents = contents_of(mesh);
-  std::string text =
-      counted(contents.regular, mesh.dimension == 3 ? "regular triangle" : "regular edge");
+  std::string text = orthoball::counted(contents.regular,
+                                        mesh.dimension == 3 ? "regular triangle" : "regular edge");
   if (!options.regularized) {
     if (mesh.dimension == 3)
-      text += ", " + counted(contents.singular_triangles, "singular triangle");
-    text += ", " + counted(contents.singular_edges, "singular edge") + ", " +
-            counted(contents.singular_vertices, "singular vertex");
+      text += ", " + orthoball::counted(contents.singular_triangles, "singular triangle");
+    text += ", " + orthoball::counted(contents.singular_edges, "singular edge") + ", " +
+            orthoball::counted(contents.singular_vertices, "singular vertex");
   }
   say(options.input, text_of(alpha) + ": " + text);
 }
@@ -129,9 +123,10 @@ void warn(const ShapeOptions& options, const orthoball::ShapeMesh& mesh,
   const auto mesh_format = orthoball::mesh_format(format);
   const std::size_t thin = contents.singular_edges + contents.singular_vertices;
   if (mesh_format && !orthoball::holds_edges(*mesh_format) && thin > 0) {
-    say(options.input, fmt::format("warning: {} holds triangles only; {} and {} are left out",
-                                   format, counted(contents.singular_edges, "singular edge"),
-                                   counted(contents.singular_vertices, "singular vertex")));
+    say(options.input,
+        fmt::format("warning: {} holds triangles only; {} and {} are left out", format,
+                    orthoball::counted(contents.singular_edges, "singular edge"),
+                    orthoball::counted(contents.singular_vertices, "singular vertex")));
   }
   if (mesh_format && options.roles && !orthoball::holds_roles(*mesh_format)) {
     say(options.input,

@@ -17,6 +17,7 @@
 #include "cli/input_options.h"
 #include "cli/output_file.h"
 #include "cli/usage_error.h"
+#include "orthoball/counted.h"
 #include "orthoball/filtration/alpha.h"
 #include "orthoball/output/signature_plot.h"
 #include "orthoball/output/tables.h"
@@ -104,11 +105,10 @@ orthoball::PlotOptions plot_options(const SignaturesOptions& options, const Load
   plot.title = options.input.path == "-"
                    ? "standard input"
                    : options.input.path.substr(options.input.path.find_last_of('/') + 1);
-  const std::size_t sites = input.shapes.points().size();
-  plot.subtitle = fmt::format("{} site{}, weights: {}", sites, sites == 1 ? "" : "s",
-                              input.shapes.points().weight_kind() == orthoball::WeightKind::none
-                                  ? "none"
-                                  : input.reading.radii);
+  plot.subtitle = fmt::format(
+      "{}, weights: {}", orthoball::counted(input.shapes.points().size(), "site"),
+      input.shapes.points().weight_kind() == orthoball::WeightKind::none ? "none"
+                                                                         : input.reading.radii);
   plot.unit = input.unit();
   plot.axis = options.plot_axis == "alpha2"  ? orthoball::PlotAxis::alpha2
               : options.plot_axis == "index" ? orthoball::PlotAxis::index

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "cli/input_options.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "orthoball/counted.h"
 #include "orthoball/output/alpha_text.h"
 #include "orthoball/signatures/notable_alphas.h"
 #include "orthoball/signatures/signature.h"
@@ -168,8 +170,8 @@ std::string rows_text(const Rows& rows, const Write& write) {
   if (rows.empty()) return "none";
   std::vector<std::string> shown;
   for (std::size_t i = 0; i < std::min(rows.size(), kShown); ++i) shown.push_back(write(rows[i]));
-  return fmt::format("{} (row{} {}{})", rows.size(), rows.size() == 1 ? "" : "s", joined(shown),
-                     rows.size() > kShown ? ", ..." : "");
+  return fmt::format("{} ({} {}{})", rows.size(), orthoball::noun_of(rows.size(), "row"),
+                     joined(shown), rows.size() > kShown ? ", ..." : "");
 }
 
 // " CA of ALA 12 in A", as far as the file says; nothing for points.
@@ -184,11 +186,10 @@ std::string atom_text(const orthoball::SiteLabels& labels, std::size_t row) {
 
 // "4 vertices, 1 triangle": how many there are of each dimension.
 std::string counts_text(std::span<const std::uint32_t> counts) {
-  const std::vector<std::string> one{"vertex", "edge", "triangle", "tetrahedron"};
-  const std::vector<std::string> many{"vertices", "edges", "triangles", "tetrahedra"};
+  constexpr std::string_view kNouns[] = {"vertex", "edge", "triangle", "tetrahedron"};
   std::vector<std::string> words;
   for (std::size_t d = 0; d < counts.size(); ++d) {
-    words.push_back(fmt::format("{} {}", counts[d], counts[d] == 1 ? one[d] : many[d]));
+    words.push_back(orthoball::counted(counts[d], kNouns[d]));
   }
   return joined(words);
 }
@@ -214,7 +215,7 @@ std::string at_text(const Facts<D>& facts, const std::string& area_unit,
     const auto& s = facts.at[i];
     std::vector<std::string> words;
     for (std::size_t k = 0; k < D; ++k) {
-      words.push_back(fmt::format("{} {}{}", s.betti[k], nouns[k], s.betti[k] == 1 ? "" : "s"));
+      words.push_back(orthoball::counted(s.betti[k], nouns[k]));
     }
     text += "\nat " + text_of(facts.asked[i]) + "\n";
     text += line("  betti", joined(words));

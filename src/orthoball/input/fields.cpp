@@ -13,12 +13,6 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; 
 
 }  // namespace
 
-std::string counted(std::size_t count, std::string_view noun) {
-  const bool is_vertex = noun == "vertex";
-  const std::string many = is_vertex ? "vertices" : std::string(noun) + 's';
-  return std::to_string(count) + ' ' + (count == 1 ? std::string(noun) : many);
-}
-
 DecimalNumber number_at(const Source& source, std::size_t line, std::string_view text,
                         std::string_view what) {
   const DecimalParse parse = parse_decimal(text);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "orthoball/counted.h"
 #include "orthoball/input/decimal.h"
 #include "orthoball/input/source.h"
 
@@ -22,9 +23,6 @@ namespace orthoball {
 /// @throws ParseError for signs, other characters, 2^63 and more.
 [[nodiscard]] std::size_t count_at(const Source& source, std::size_t line, std::string_view text,
                                    std::string_view what);
-
-/// "1 column", "2 columns".
-[[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
 
 /// `text` without blanks and tabs at its ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);

@@ -8,13 +8,6 @@
 namespace orthoball {
 namespace {
 
-TEST(Fields, CountsAreSingularForOne) {
-  EXPECT_EQ(counted(0, "column"), "0 columns");
-  EXPECT_EQ(counted(1, "column"), "1 column");
-  EXPECT_EQ(counted(2, "vertex"), "2 vertices");
-  EXPECT_EQ(counted(1, "vertex"), "1 vertex");
-}
-
 TEST(Fields, MessagesOfReadersAreSingularForOne) {
   EXPECT_EQ(error_of(read_xyz, "1\n\nC\n"), "f:3: the line has 1 column; element x y z are needed");
   EXPECT_EQ(error_of(read_xyz, "5\n\nO 0 0 0\n"),
