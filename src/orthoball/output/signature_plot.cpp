@@ -19,10 +19,11 @@ namespace {
 
 constexpr double kWidth = 960.0, kPanelWidth = 390.0, kPanelHeight = 150.0;
 constexpr double kLeft = 62.0, kTop = 98.0, kBetweenColumns = 76.0, kBetweenRows = 50.0;
-constexpr double kShare = 0.8;        // of the top simplices, for the automatic range
-constexpr double kReach = 12.0;       // the largest multiple of what they span that is shown
-constexpr double kLetterWidth = 7.0;  // of a mark's letter; pixels
-constexpr double kBoldness = 1.1;     // bold letters are so much wider
+constexpr double kShare = 0.8;            // of the top simplices, for the automatic range
+constexpr double kReach = 12.0;           // the largest multiple of what they span that is shown
+constexpr double kLetterWidth = 7.0;      // of a mark's letter; pixels
+constexpr double kBoldness = 1.1;         // bold letters are so much wider
+constexpr double kLeastLength = 0x1p-40;  // of an axis, by the size of its ends: ticks must differ
 // An axis begins nearer to 0 than this and ends within twice that, so that its length is a double.
 constexpr double kFarthest = std::numeric_limits<double>::max() / 4.0;
 
@@ -127,7 +128,8 @@ SignaturePlot<D>::SignaturePlot(const Filtration<D>& filtration, PlotOptions opt
     to_ = std::min(from_ + 1.25 * (reach > 0.0 ? std::min(settled, reach) : settled), last_);
   }
   from_ = std::isfinite(from_) ? std::clamp(from_, -kFarthest, kFarthest) : 0.0;
-  if (!(std::isfinite(to_) && from_ < to_)) to_ = from_ + std::max(1.0, std::abs(from_));
+  const double least = kLeastLength * std::max(std::abs(from_), std::abs(to_));
+  if (!(std::isfinite(to_) && to_ - from_ > least)) to_ = from_ + std::max(1.0, std::abs(from_));
   to_ = std::min(to_, 2.0 * kFarthest);
   curves_.assign(static_cast<std::size_t>(D) + (D == 3 ? 5 : 4), StepCurve(kPanelWidth));
 }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "unit/output/shapes.h"
 
 namespace orthoball {
@@ -102,6 +104,17 @@ TEST(SignaturePlot, BeginsAndEndsWithinTheDoubleRange) {
       EXPECT_EQ(svg.find("range and beyond"), std::string::npos) << svg;
       EXPECT_EQ(svg.find("nan"), std::string::npos) << svg;
       EXPECT_EQ(svg.find("inf"), std::string::npos) << svg;
+    }
+  }
+}
+
+TEST(SignaturePlot, WidensARangeWithoutRoomForTicks) {
+  for (const PlotAxis axis : {PlotAxis::alpha2, PlotAxis::index}) {
+    for (const double from : {1e17, -1e17, 1e300}) {
+      PlotOptions options;
+      options.axis = axis;
+      options.range = std::pair(from, std::nextafter(from, 1e301));
+      EXPECT_EQ(count(plot(mixed_shapes(), options), "class=\"curve\""), 8U);
     }
   }
 }
