@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "orthoball/error.h"
+#include "orthoball/large_blocks.h"
 
 #if defined(__linux__)
 #include <sys/resource.h>
@@ -167,7 +168,8 @@ void MemoryBudget::require(std::uint64_t bytes, const std::string& work) const {
   } else if (bytes >= kSmall) {
     available = available_memory();
   }
-  if (!available || bytes <= available->bytes) return;
+  // What is kept for large arrays counts as held.
+  if (!available || bytes <= available->bytes + large_blocks::kept_bytes()) return;
   throw LimitError(work + ": about " + memory_text(bytes) + " of memory needed, " +
                    memory_text(available->bytes) + " " + available->reason +
                    "; give it more, or set another limit with --memory-limit");
