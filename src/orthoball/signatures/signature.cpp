@@ -10,13 +10,6 @@
 #include "orthoball/signatures/signature_scan.h"
 
 namespace orthoball {
-namespace {
-
-// Fewer simplices than this for each thread are done sooner by one.
-constexpr std::size_t kLeastSimplices = 50'000;
-
-}  // namespace
-
 template <int D>
 void scan_signatures(const Filtration<D>& filtration,
                      const std::function<void(const Signature<D>&)>& visit, Threads threads) {
@@ -32,7 +25,7 @@ void scan_signatures(const Filtration<D>& filtration,
     for (std::size_t first = 0; first < scan.block_count(); first += at_once) {
       const std::size_t blocks = std::min(at_once, scan.block_count() - first);
       parallel_for(threads, blocks, [&](std::size_t i) {
-        scan.read(first + i, std::span(block).subspan(i * kBlock, kBlock));
+        (void)scan.read(first + i, std::span(block).subspan(i * kBlock, kBlock));
       });
       const std::size_t size =
           std::min(blocks * kBlock, scan.end_index() - scan.first_index() - first * kBlock);

@@ -21,8 +21,14 @@ SignatureScan<D>::SignatureScan(const Filtration<D>& filtration, Threads threads
       end_{RoleCounts<D>(filtration)} {
   // The longest first.
   parallel_for(threads, 3 + lower_.size(), [&](std::size_t task) {
-    if (task == 0) return cycles_.count_voids(filtration, roles_);
-    if (task == 1) return cycles_.count_joining(filtration);
+    if (task == 0) {
+      voids_ = void_counts(filtration, roles_);
+      return;
+    }
+    if (task == 1) {
+      joining_ = joining_counts(filtration);
+      return;
+    }
     if (task < 2 + lower_.size()) {
       const std::size_t k = lower_.size() + 1 - task;
       lower_[k] = {filtration, static_cast<int>(k)};
@@ -42,10 +48,10 @@ void SignatureScan<D>::count_changes() {
   const std::uint32_t first_stretch = first_index() >> kIndexStretchBits;
   const std::size_t stretches = (end_index() - first_index() - 1) / kIndexStretch + 1;
   std::vector<std::pair<const IndexCounts*, Column*>> counted{{&vertices_, &own_.vertices},
-                                                              {&cycles_.joining, &own_.joining}};
+                                                              {&joining_, &own_.joining}};
   if constexpr (D == 3) {
-    counted.push_back({&cycles_.opening, &own_.opening});
-    counted.push_back({&cycles_.closing, &own_.closing});
+    counted.push_back({&voids_.opening, &own_.opening});
+    counted.push_back({&voids_.closing, &own_.closing});
   }
   for (std::size_t k = 0; k < lower_.size(); ++k) {
     counted.push_back({&lower_[k].regular, &own_.regular[k]});

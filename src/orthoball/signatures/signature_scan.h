@@ -33,7 +33,7 @@ class SignatureScan {
 
   /// Writes the signatures of a block of the run, at most kBlock of them, from index
   /// first_index() + block * kBlock on; returns how many. May be called by several threads.
-  std::size_t read(std::size_t block, std::span<Signature<D>> out) const;
+  [[nodiscard]] std::size_t read(std::size_t block, std::span<Signature<D>> out) const;
   [[nodiscard]] std::size_t block_count() const { return blocks_.size(); }
 
  private:
@@ -67,7 +67,7 @@ class SignatureScan {
 
     // The step that `take` finds in each column.
     template <class Take>
-    [[gnu::always_inline]] Step step(const Take& take) const {
+    [[nodiscard, gnu::always_inline]] Step step(const Take& take) const {
       Step result;
       for (std::size_t k = 0; k < entering.size(); ++k)
         result.roles.entering[k] = take(entering[k]);
@@ -88,7 +88,8 @@ class SignatureScan {
   const Filtration<D>& filtration_;
   Threads threads_;
   FacetRoles<D> roles_;
-  CycleCounts<D> cycles_;
+  IndexCounts joining_;
+  VoidCounts voids_;
   IndexCounts vertices_;                                       // enter
   std::array<RoleChangeCounts<D>, std::size_t{D} - 1> lower_;  // below the facets
   MeasureScan<D> measures_;

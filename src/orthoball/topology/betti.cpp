@@ -202,32 +202,38 @@ IndexCounts counted(std::uint32_t largest, std::span<const std::uint32_t> indice
           }};
 }
 
-// Fewer simplices than this for each thread are done sooner by one.
-constexpr std::size_t kLeastSimplices = 50'000;
-
 }  // namespace
 
 template <int D>
-void CycleCounts<D>::count_voids(const Filtration<D>& filtration, const FacetRoles<D>& roles) {
-  if constexpr (D == 3) {
-    const VoidIndices voids = void_indices(filtration, roles);
-    opening = counted(filtration.spectrum_size(), voids.opening);
-    closing = counted(filtration.spectrum_size(), voids.closing);
-  }
+IndexCounts joining_counts(const Filtration<D>& filtration) {
+  return counted(filtration.spectrum_size(), joining_indices(filtration));
 }
 
 template <int D>
-void CycleCounts<D>::count_joining(const Filtration<D>& filtration) {
-  joining = counted(filtration.spectrum_size(), joining_indices(filtration));
+VoidCounts void_counts(const Filtration<D>& filtration, const FacetRoles<D>& roles) {
+  VoidCounts counts;
+  if constexpr (D == 3) {
+    const VoidIndices voids = void_indices(filtration, roles);
+    counts.opening = counted(filtration.spectrum_size(), voids.opening);
+    counts.closing = counted(filtration.spectrum_size(), voids.closing);
+  }
+  return counts;
 }
 
 template <int D>
 BettiScan<D>::BettiScan(const Filtration<D>& filtration, Threads threads)
     : last_(filtration.spectrum_size()) {
+  threads = threads.for_work(filtration.size(), kLeastSimplices);
   const FacetRoles<D> roles(filtration, threads);
   parallel_for(threads, 2 + enter_.size(), [&](std::size_t task) {
-    if (task == 0) return cycles_.count_voids(filtration, roles);
-    if (task == 1) return cycles_.count_joining(filtration);
+    if (task == 0) {
+      void_counts_ = void_counts(filtration, roles);
+      return;
+    }
+    if (task == 1) {
+      joining_ = joining_counts(filtration);
+      return;
+    }
     const int dimension = static_cast<int>(task) - 2;
     const auto enters = filtration.enters().subspan(filtration.table().first(dimension),
                                                     filtration.count(dimension));
@@ -243,9 +249,9 @@ bool BettiScan<D>::next() {
     entering_[k] = enter_[k].count(index_);
     entered_[k] += entering_[k];
   }
-  joined_ += cycles_.joining.count(index_);
-  voids_ += cycles_.opening.count(index_);
-  voids_ -= cycles_.closing.count(index_);
+  joined_ += joining_.count(index_);
+  voids_ += void_counts_.opening.count(index_);
+  voids_ -= void_counts_.closing.count(index_);
   return true;
 }
 
@@ -285,8 +291,10 @@ BettiNumbers<D> betti_numbers(const Filtration<D>& filtration, std::uint32_t ind
 
 template class CycleMarks<2>;
 template class CycleMarks<3>;
-template struct CycleCounts<2>;
-template struct CycleCounts<3>;
+template IndexCounts joining_counts<2>(const Filtration<2>&);
+template IndexCounts joining_counts<3>(const Filtration<3>&);
+template VoidCounts void_counts<2>(const Filtration<2>&, const FacetRoles<2>&);
+template VoidCounts void_counts<3>(const Filtration<3>&, const FacetRoles<3>&);
 template class BettiScan<2>;
 template class BettiScan<3>;
 template BettiNumbers<2> betti_numbers<2>(const Filtration<2>&, std::uint32_t, Threads);

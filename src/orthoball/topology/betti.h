@@ -41,18 +41,18 @@ class CycleMarks {
   std::vector<std::uint64_t> forests_;  // bit per simplex: a joining edge or a cutting triangle
 };
 
-/// At which indices components and voids come and go: how many at each. Left out are voids that are
-/// filled at the index at which they open. Two bytes for each: about 8 a site in space.
+/// How many edges join two components at each index.
 template <int D>
-struct CycleCounts {
-  /// Fills `opening` and `closing`. Most of the work, and independent of the other.
-  void count_voids(const Filtration<D>& filtration, const FacetRoles<D>& roles);
-  /// Fills `joining`.
-  void count_joining(const Filtration<D>& filtration);
+[[nodiscard]] IndexCounts joining_counts(const Filtration<D>& filtration);
 
-  IndexCounts joining;           ///< edges that join two components
-  IndexCounts opening, closing;  ///< voids, in space
+/// How many voids open and close at each index, but for those that are filled at the index at which
+/// they open. Two bytes for each: about 6 a site. None in the plane.
+struct VoidCounts {
+  IndexCounts opening, closing;
 };
+/// Those of a filtration. Most of what Betti numbers cost.
+template <int D>
+[[nodiscard]] VoidCounts void_counts(const Filtration<D>& filtration, const FacetRoles<D>& roles);
 
 /// The Betti numbers of a complex with `entered` simplices, of which so many edges have joined
 /// components, and with so many voids.
@@ -89,7 +89,8 @@ class BettiScan {
   }
 
  private:
-  CycleCounts<D> cycles_;
+  IndexCounts joining_;
+  VoidCounts void_counts_;
   std::array<IndexCounts, std::size_t{D} + 1> enter_;  // [dimension]
   std::uint32_t last_;                                 // index
   std::uint32_t index_ = 0;
@@ -105,8 +106,10 @@ template <int D>
 
 extern template class CycleMarks<2>;  // defined in betti.cpp
 extern template class CycleMarks<3>;
-extern template struct CycleCounts<2>;
-extern template struct CycleCounts<3>;
+extern template IndexCounts joining_counts<2>(const Filtration<2>&);
+extern template IndexCounts joining_counts<3>(const Filtration<3>&);
+extern template VoidCounts void_counts<2>(const Filtration<2>&, const FacetRoles<2>&);
+extern template VoidCounts void_counts<3>(const Filtration<3>&, const FacetRoles<3>&);
 extern template class BettiScan<2>;
 extern template class BettiScan<3>;
 

@@ -12,6 +12,9 @@
 
 namespace orthoball {
 
+/// Fewer simplices than this for each thread are done sooner by one, whatever is counted of them.
+inline constexpr std::size_t kLeastSimplices = 50'000;
+
 /// What every cell is to its facets, and which facets enter without a cell. Exact.
 ///
 /// Of the two cells beside a facet, the first to enter, by (index, number), makes it regular and
