@@ -58,9 +58,7 @@ class BoundaryNumbers {
       return number;
     }
     /// Below kMost for a vertex that has appeared, and only for these.
-    [[nodiscard]] std::uint32_t unseen(std::uint32_t vertex) const {
-      return marks_[vertex] ^ stamp_;
-    }
+    [[nodiscard]] std::uint32_t mark(std::uint32_t vertex) const { return marks_[vertex] ^ stamp_; }
     /// Notes that a vertex has appeared; whether for the first time.
     bool note(std::uint32_t vertex) {
       const bool is_new = (marks_[vertex] ^ stamp_) >= kMost;
@@ -169,15 +167,15 @@ class ConflictRegion {
   }
 
   void restar(std::uint32_t site, std::vector<std::uint32_t>& swallowed) {
-    auto numbering = numbers_.of_new_boundary();
     if constexpr (A == 3) {
       if (search_.boundary().size() <= kMatrixFacets) {
-        number_boundary(numbering);
-        note_swallowed(numbering, swallowed);
+        const auto numbering = number_boundary();
+        if (!sites_.is_unweighted()) note_swallowed(numbering, swallowed);
         return restar_by_matrix(site);
       }
     }
     if (!sites_.is_unweighted()) {
+      auto numbering = numbers_.of_new_boundary();
       for (const Facet& facet : search_.boundary()) {
         for (const std::uint32_t vertex : facet.vertices) numbering.note(vertex);
       }
@@ -189,13 +187,13 @@ class ConflictRegion {
   }
 
   // Fills facet_numbers_, and the matrix with the facets to the left of ridges.
-  void number_boundary(typename BoundaryNumbers::Numbering& numbering_to_go_on) {
+  typename BoundaryNumbers::Numbering number_boundary() {
     const std::span<const Facet> boundary = search_.boundary();
     if (facet_numbers_.size() < boundary.size()) facet_numbers_.resize(2 * boundary.size());
     Numbers* const facet_numbers = facet_numbers_.data();
     std::uint32_t* const left_of = left_of_.data();
     const std::uint32_t* const places = places_.data();
-    auto numbering = numbering_to_go_on;  // in registers
+    auto numbering = numbers_.of_new_boundary();
     for (std::size_t f = 0; f < boundary.size(); ++f) {
       const auto vertices = boundary[f].vertices;
       Numbers n;
@@ -206,7 +204,7 @@ class ConflictRegion {
       left_of[n[2] * kMatrixSide + n[0]] = facet + 1;
       left_of[n[0] * kMatrixSide + n[1]] = facet + 2;
     }
-    numbering_to_go_on = numbering;
+    return numbering;
   }
 
   void restar_by_matrix(std::uint32_t site) {
@@ -285,14 +283,13 @@ class ConflictRegion {
   }
 
   // Vertices of dead cells that are not on the boundary have lost their power cell. Few have any.
-  void note_swallowed(typename BoundaryNumbers::Numbering& boundary,
-                      std::vector<std::uint32_t>& swallowed) {
-    if (sites_.is_unweighted()) return;
-    std::uint32_t unseen = 0;
+  void note_swallowed(typename BoundaryNumbers::Numbering boundary,
+                      std::vector<std::uint32_t>& swallowed) const {
+    std::uint32_t marks = 0;
     for (const std::uint32_t cell : search_.dead()) {
-      for (const std::uint32_t vertex : cells_[cell].corners) unseen |= boundary.unseen(vertex);
+      for (const std::uint32_t vertex : cells_[cell].corners) marks |= boundary.mark(vertex);
     }
-    if (unseen < BoundaryNumbers::kMost) return;
+    if (marks < BoundaryNumbers::kMost) return;
     for (const std::uint32_t cell : search_.dead()) {
       for (const std::uint32_t vertex : cells_[cell].corners) {
         if (boundary.note(vertex)) swallowed.push_back(vertex);
