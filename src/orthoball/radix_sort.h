@@ -39,6 +39,12 @@ inline void insertion_sort(std::span<KeyedRow> rows) {
 inline void sort(std::span<KeyedRow> rows, std::span<KeyedRow> spare) {
   constexpr std::size_t kFew = 24;
   if (rows.size() <= kFew) return insertion_sort(rows);
+  constexpr std::size_t kMany = 1024;  // for which the counts below pay
+  if (rows.size() < kMany) {
+    std::stable_sort(rows.begin(), rows.end(),
+                     [](const KeyedRow& a, const KeyedRow& b) { return a.key < b.key; });
+    return;
+  }
   std::uint64_t differences = 0;
   for (const KeyedRow& row : rows) differences |= row.key ^ rows[0].key;
   const auto top = static_cast<unsigned>(std::bit_width(differences));
