@@ -25,6 +25,7 @@ template <int D>
 class Filter {
  public:
   explicit Filter(const Filtration<D>& filtration, Threads threads = {});
+  explicit Filter(const Filtration<D>&& filtration, Threads threads = {}) = delete;
 
   [[nodiscard]] const Filtration<D>& filtration() const { return *filtration_; }
 
