@@ -53,7 +53,6 @@ CellStore<A> scattered(std::span<const CellRecord<A>> cells, std::uint32_t verti
   return store;
 }
 
-// Some of which have many cells at one vertex.
 template <int D>
 void check(const WeightedPoints& points) {
   const RegularTriangulation<D> triangulation = regular_triangulation<D>(points);
@@ -88,17 +87,25 @@ TEST(CanonicalCells, AreTheSameOnSeveralThreads) {
 }
 
 TEST(CanonicalCells, AreOrderedWhereManyShareTheirFirstCorner) {
-  // The least point has an edge to every other.
+  // The curve begins at the origin, the centre of a sphere in an eighth of which all others lie:
+  // most cells have it as their smallest corner.
   std::vector<double> coordinates;
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   for (int i = 0; i < 400; ++i) {
-    std::array<double, 3> x{normal(random), normal(random), normal(random)};
+    const std::array<double, 3> x{std::abs(normal(random)), std::abs(normal(random)),
+                                  std::abs(normal(random))};
     const double length = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
     for (const double one : x) coordinates.push_back(one / length);
   }
   coordinates.insert(coordinates.end(), {0.0, 0.0, 0.0});
-  check<3>({3, coordinates, WeightKind::none, {}});
+  const WeightedPoints points(3, coordinates, WeightKind::none, {});
+  const RegularTriangulation<3> triangulation = regular_triangulation<3>(points);
+  const auto cells = triangulation.cells<3>();
+  EXPECT_GT(std::count_if(cells.begin(), cells.end(),
+                          [](const CellRecord<3>& cell) { return cell.corners[0] == 0; }),
+            100);
+  check<3>(points);
 }
 
 }  // namespace
