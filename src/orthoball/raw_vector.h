@@ -46,12 +46,6 @@ class BlockAllocator {
 template <class T>
 class RawAllocator : public BlockAllocator<T> {
  public:
-  /// The same for another type.
-  template <class U>
-  struct rebind {
-    using other = RawAllocator<U>;  ///< as allocators name it
-  };
-
   RawAllocator() = default;
   template <class U>
   RawAllocator(const RawAllocator<U>& /*other*/) {}  // NOLINT: converts as std::allocator does

@@ -81,16 +81,17 @@ class PowerSidesAcross<3> {
     Four size;  // square sum and |weight|: at least |lift|
   };
 
-  [[gnu::always_inline]] ORTHOBALL_AVX2 Rows rows(const Corners<3>& corners) const {
+  [[nodiscard, gnu::always_inline]] ORTHOBALL_AVX2 Rows rows(const Corners<3>& corners) const {
     const auto [x, y, z, weight] = four_lanes::columns(sites_, corners, query_);
     const Four square = x * x + y * y + z * z;
     return {x, y, z, square - weight, square + (four_lanes::absolute(weight) + weight_lift_)};
   }
 
   // What is known where determinants of integers have no error at all.
-  [[gnu::noinline]] ORTHOBALL_AVX2 GlancedSides with_integers(std::uint32_t positive,
-                                                              std::uint32_t known, Four value,
-                                                              Four magnitude) const {
+  [[nodiscard, gnu::noinline]] ORTHOBALL_AVX2 GlancedSides with_integers(std::uint32_t positive,
+                                                                         std::uint32_t known,
+                                                                         Four value,
+                                                                         Four magnitude) const {
     using namespace four_lanes;
     const double most = kExactIntegers / (2 * kPowerSideTerms<3>);
     const std::uint32_t exact =
@@ -149,7 +150,7 @@ class PowerSidesAcross<2> {
     return __builtin_shufflevector(a, a, 2, 0, 1, 1);
   }
 
-  [[gnu::always_inline]] ORTHOBALL_AVX2 Rows rows(const Corners<2>& corners) const {
+  [[nodiscard, gnu::always_inline]] ORTHOBALL_AVX2 Rows rows(const Corners<2>& corners) const {
     using namespace four_lanes;
     const Site<2>& a = sites_[corners[0]];
     const Site<2>& b = sites_[corners[1]];
@@ -161,9 +162,10 @@ class PowerSidesAcross<2> {
     return {x, y, square - weight, square + absolute(weight) + all(weight_lift_)};
   }
 
-  [[gnu::noinline]] ORTHOBALL_AVX2 GlancedSides with_integers(std::uint32_t positive,
-                                                              std::uint32_t known, Four value,
-                                                              Four magnitude) const {
+  [[nodiscard, gnu::noinline]] ORTHOBALL_AVX2 GlancedSides with_integers(std::uint32_t positive,
+                                                                         std::uint32_t known,
+                                                                         Four value,
+                                                                         Four magnitude) const {
     using namespace four_lanes;
     const double most = kExactIntegers / (2 * kPowerSideTerms<2>);
     const std::uint32_t exact =

@@ -68,7 +68,8 @@ class MeasureScan {
 
  private:
   using SumRow = sum_rows_detail::SumRow;
-  enum Column : std::size_t { kEdges, kFacets, kCells, kInteriorFacets, kColumns };
+  using Column = std::size_t;
+  static constexpr Column kEdges = 0, kFacets = 1, kCells = 2, kInteriorFacets = 3, kColumns = 4;
   using LargeRow = std::array<std::int32_t, 4>;  // as in Four
 
   // The sums in one unit of length.

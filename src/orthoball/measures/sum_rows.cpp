@@ -83,7 +83,7 @@ constexpr auto kCellTags = [] {
     add(all, rows[i].sum, before.error + rows[i].error);
     const Four high = all.sum + all.error;
     const Four low = all.error - (high - all.sum);
-    const auto value = [&](Lane lane) __attribute__((always_inline)) {
+    const auto value = [&](std::size_t lane) __attribute__((always_inline)) {
       return DoubleDouble{high[lane], low[lane]};
     };
     const DoubleDouble singular = value(kSingular), regular = value(kRegular);

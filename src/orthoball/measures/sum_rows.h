@@ -17,7 +17,7 @@ namespace orthoball::sum_rows_detail {
 using Four = double __attribute__((vector_size(32)));
 
 /// What the elements of Four are.
-enum Lane : std::size_t { kVolume, kLength, kSingular, kRegular };
+inline constexpr std::size_t kVolume = 0, kLength = 1, kSingular = 2, kRegular = 3;
 
 /// What the terms of one index, or all up to one, add up to. @cite ogita_rump_oishi_2005
 struct alignas(64) SumRow {

@@ -27,7 +27,7 @@ std::size_t select_one_by_one(const std::uint32_t* enters, std::uint32_t begin, 
   for (std::uint32_t i = begin; i < end; ++i) {
     const bool is_wanted = window.wanted == nullptr || (window.wanted[i / 64] >> i % 64 & 1U) != 0;
     out[size] = i;
-    size += (enters[i] - window.first < window.length) & is_wanted ? 1U : 0U;
+    size += ((enters[i] - window.first < window.length) & is_wanted) ? 1U : 0U;
   }
   return size;
 }

@@ -110,7 +110,8 @@ template <class MakeJoint>
 RawVector<Joint> joints_of(std::uint32_t size, const MakeJoint& joint) {
   constexpr std::uint32_t kBlock = 4096;
   RawVector<Joint> joints;
-  joints.reserve(size / 8 * 5);  // most edges of triangulations that are not joined at once
+  joints.reserve(std::size_t{size} / 8 *
+                 5);  // most edges of triangulations that are not joined at once
   std::size_t kept = 0;
   for (std::uint32_t begin = 0; begin < size; begin += kBlock) {
     joints.resize(kept + kBlock);  // so that all can be written, most in vain, without a branch

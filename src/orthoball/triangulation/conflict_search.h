@@ -91,8 +91,8 @@ class ConflictSearch {
   };
 
   // The answers that a glance has left open or found to be ties.
-  [[gnu::noinline]] Fates settled(const Cell& record, std::uint32_t site, Fates fates,
-                                  std::uint32_t open, std::uint32_t ties) const {
+  [[nodiscard, gnu::noinline]] Fates settled(const Cell& record, std::uint32_t site, Fates fates,
+                                             std::uint32_t open, std::uint32_t ties) const {
     for (std::uint32_t rest = open | ties; rest != 0; rest &= rest - 1) {
       const auto i = static_cast<unsigned>(std::countr_zero(rest));
       const std::uint32_t beyond = record.neighbours[i] / 4;

@@ -92,7 +92,8 @@ class Insertion {
   }
 
   // So many territories with equal numbers of the sites, by the numbers of the vertices.
-  std::vector<Territory<A, D>> parts_of_curve(Numbers sites, std::size_t count) const {
+  [[nodiscard]] std::vector<Territory<A, D>> parts_of_curve(Numbers sites,
+                                                            std::size_t count) const {
     std::vector<Territory<A, D>> parts;
     std::uint32_t begin = 0;
     for (std::size_t part = 1; part <= count; ++part) {
@@ -105,7 +106,7 @@ class Insertion {
   }
 
   // The same between planes across the axis along which the sites spread most.
-  std::vector<Territory<A, D>> slabs(Numbers sites, std::size_t count) const {
+  [[nodiscard]] std::vector<Territory<A, D>> slabs(Numbers sites, std::size_t count) const {
     constexpr std::size_t kSample = 4096;
     std::vector<double> widest;
     double largest = -1.0;
@@ -122,11 +123,11 @@ class Insertion {
       axis = a;
       widest = std::move(x);
     }
-    constexpr double kFar = std::numeric_limits<double>::infinity();
+    const double far = std::numeric_limits<double>::infinity();
     std::vector<Territory<A, D>> parts;
-    double low = -kFar;
+    double low = -far;
     for (std::size_t part = 1; part <= count; ++part) {
-      const double high = part == count ? kFar : widest[part * widest.size() / count];
+      const double high = part == count ? far : widest[part * widest.size() / count];
       parts.push_back(Territory<A, D>::of_slab(sites_, axis, low, high, cells_.infinity()));
       low = high;
     }

@@ -73,9 +73,8 @@ constexpr auto kCurveSteps = [] {
 template <int D>
 std::uint64_t curve_index(const std::array<std::uint32_t, std::size_t{D}>& cube, unsigned levels) {
   std::uint64_t index = 0;
-  unsigned state = 0, level = levels;
-  const auto look_up = [&]<unsigned Levels>() {
-    level -= Levels;
+  unsigned state = 0;
+  const auto look_up = [&]<unsigned Levels>(unsigned level) {
     unsigned bits = 0;
     for (std::size_t axis = 0; axis < D; ++axis) {
       bits |= (cube[axis] >> level & ((1U << Levels) - 1)) << (Levels * axis);
@@ -85,8 +84,9 @@ std::uint64_t curve_index(const std::array<std::uint32_t, std::size_t{D}>& cube,
     state = step.next;
   };
   constexpr unsigned kAtOnce = kLevelsAtOnce<unsigned{D}>;
-  while (level % kAtOnce != 0) look_up.template operator()<1>();
-  while (level != 0) look_up.template operator()<kAtOnce>();
+  unsigned level = levels;
+  for (; level % kAtOnce != 0; --level) look_up.template operator()<1>(level - 1);
+  for (; level != 0; level -= kAtOnce) look_up.template operator()<kAtOnce>(level - kAtOnce);
   return index;
 }
 

@@ -38,7 +38,8 @@ class PointLocation {
 
  private:
   // A facet of a finite cell that has the site strictly beyond it, A + 1 if there is none.
-  [[gnu::noinline]] unsigned facet_before(const Corners<A>& corners, std::uint32_t site) const {
+  [[nodiscard, gnu::noinline]] unsigned facet_before(const Corners<A>& corners,
+                                                     std::uint32_t site) const {
     for (unsigned i = 0; i <= A; ++i) {
       Corners<A> facet_and_site = corners;
       facet_and_site[i] = site;
@@ -48,9 +49,9 @@ class PointLocation {
   }
 
   template <class FacetBefore>
-  [[gnu::always_inline]] Place walk(std::uint32_t site, std::uint32_t start,
-                                    const Territory<A, D>& territory,
-                                    const FacetBefore& facet_before_site) const {
+  [[nodiscard, gnu::always_inline]] Place walk(std::uint32_t site, std::uint32_t start,
+                                               const Territory<A, D>& territory,
+                                               const FacetBefore& facet_before_site) const {
     const bool is_whole = territory.is_whole();
     std::uint32_t cell = start;
     if (const std::size_t infinite = cells_.corner_at_infinity(cells_[cell]); infinite <= A) {
