@@ -122,7 +122,9 @@ class ConflictRegion {
   /// `may_grow` does not allow for more; then nothing has changed.
   Outcome insert(std::uint32_t site, std::uint32_t found, const Territory<A, D>& territory,
                  bool may_grow, std::vector<std::uint32_t>& hidden) {
-    if (!in_conflict<A, D>(cells_, sites_, found, site)) {
+    // Where weights do not differ, what is in a cell is in its ball.
+    const bool is_certain = sites_.is_unweighted() && cells_.is_finite(cells_[found]);
+    if (!is_certain && !in_conflict<A, D>(cells_, sites_, found, site)) {
       hidden.push_back(site);
       return Outcome::hidden;
     }

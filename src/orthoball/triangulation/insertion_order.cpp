@@ -199,8 +199,9 @@ InsertionOrder insertion_order(std::size_t count) {
   rounds[0].resize(count);
   for (std::uint32_t i = 0; i < count; ++i) rounds[0][i] = i;
   while (rounds.back().size() > kSmallestRound) {
-    InsertionOrder earlier;
     InsertionOrder& latest = rounds.back();
+    InsertionOrder earlier;
+    earlier.reserve(latest.size() / 7);
     std::size_t kept = 0;
     for (const std::uint32_t site : latest) {
       if (scrambled(site + (std::uint64_t{rounds.size()} << 32U)) % 8 == 0) {
