@@ -159,7 +159,7 @@ void Ranking<D, A>::deal_labels(LabelList& list, std::uint32_t begin, std::uint3
 // The parts of each dimension fill lists that follow each other.
 template <int D, int A>
 void Ranking<D, A>::deal_labels(std::vector<LabelList>& lists) const {
-  const std::size_t parts = threads_.count();
+  const std::size_t parts = lists.size() / kLists;
   parallel_for(threads_, lists.size(), [&](std::size_t i) {
     const auto deal = [&]<int K>() {
       if (i / parts != K || (K == 0 && sites_.is_unweighted())) return;
