@@ -61,7 +61,7 @@ constexpr std::array<CornerMap, 256> kOrientedMaps = [] {
     std::uint32_t inversions = 0;
     for (std::uint32_t i = 0; i <= A; ++i) {
       for (std::uint32_t j = 0; j < i; ++j) {
-        inversions += (ranks >> (2 * j) & 3U) > (ranks >> (2 * i) & 3U) ? 1 : 0;
+        inversions += (ranks >> (2 * j) & 3U) > (ranks >> (2 * i) & 3U) ? 1U : 0U;
       }
     }
     std::uint32_t map = 0;
