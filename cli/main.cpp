@@ -122,8 +122,8 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   std::ios::sync_with_stdio(false);
-  const orthoball::LargeBlockReuse reuse;  // from one stage to the next
   try {
+    const orthoball::LargeBlockReuse reuse;  // from one stage to the next
     return run(argc, argv);
   } catch (const UsageError& error) {
     return failed(kWrongUsage, error.what());
