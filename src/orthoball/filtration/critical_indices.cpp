@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <span>
 #include <utility>
 #include <vector>
@@ -43,8 +42,13 @@ struct Part {
   std::uint32_t first_edge;
   std::uint32_t end_edge;
   std::uint32_t end_vertex;
+  std::uint32_t spare;     // the element that facets of other cells are written to
   std::vector<Late> late;  // for faces of other parts
 };
+
+// Elements to spare lie so far from each other and from all others that no two parts write to the
+// same lines of the cache.
+constexpr std::size_t kApart = 32;
 
 // One pass over the cells, which takes facets in the order of their numbers, then one over the
 // edges in space, both part by part. A >= 1.
@@ -90,7 +94,8 @@ class HandDown {
     for (std::size_t i = 0; i < parts; ++i) {
       const auto begin = static_cast<std::uint32_t>(cells_.size() * i / parts);
       const auto end = static_cast<std::uint32_t>(cells_.size() * (i + 1) / parts);
-      Part part{begin, end, table_.first(A - 1), 0, 0, never_vertex(end), {}};
+      const auto spare = static_cast<std::uint32_t>(table_.size() + (i + 1) * kApart);
+      Part part{begin, end, table_.first(A - 1), 0, 0, never_vertex(end), spare, {}};
       if constexpr (A > 1) part.next_facet += table_.facets_owned_before(begin);
       if constexpr (A == 3) {
         part.first_edge = table_.first(1) + table_.edges_owned_before(begin);
@@ -206,25 +211,23 @@ class HandDown {
   }
 #endif
 
-  // From cells to the facets that `cell` owns. For the others the element to spare stands in.
+  // From cells to the facets that `cell` owns. For the others an element to spare stands in.
   [[gnu::always_inline]] inline FacetIndices pass_facets(Part& part, std::uint32_t cell) {
     FacetIndices result;
     const std::uint32_t own = enters_of_cell(cell);
-    const auto spare = static_cast<std::uint32_t>(table_.size());
     unrolled<std::size_t{A} + 1>([&](std::size_t corner) __attribute__((always_inline)) {
       const std::uint32_t beyond = cells_[cell].neighbours[corner];
       const bool is_hull = beyond == kOutside;
       const std::uint32_t owned = 0U - static_cast<std::uint32_t>(beyond / 4 > cell);
       const std::uint32_t next =
           A == 1 ? cells_[cell].corners[std::size_t{A} - corner] : part.next_facet;
-      const std::uint32_t facet = (next & owned) | (spare & ~owned);
+      const std::uint32_t facet = (next & owned) | (part.spare & ~owned);
       const std::uint32_t regular = std::min(own, enters_of_cell(is_hull ? cell : beyond / 4));
       if (!kFillsSpace && owned != 0) result_.roles[facet].regular = regular;
       const std::uint32_t attached = mask_of_attached(next);
-      const std::atomic_ref place(result_.enters[facet]);
-      const std::uint32_t known = place.load(std::memory_order_relaxed);
-      const std::uint32_t enters = (regular & attached) | (known & ~attached);
-      place.store(enters, std::memory_order_relaxed);
+      std::uint32_t& place = result_.enters[facet];
+      const std::uint32_t enters = (regular & attached) | (place & ~attached);
+      place = enters;
       result[corner] = (enters & owned) | (never_ & ~owned);
       part.next_facet += owned & 1U;
       if (kFillsSpace && is_hull) end_at_hull(part, cell, static_cast<unsigned>(corner));
@@ -307,7 +310,7 @@ CriticalIndices critical_indices(const RegularTriangulation<D>& triangulation,
                                  std::span<const SimplexId> order, const RankedBits& starts,
                                  Threads threads) {
   CriticalIndices result;
-  result.enters.resize(table.size() + 1);  // one to spare
+  result.enters.resize(table.size() + (std::size_t{threads.count()} + 1) * kApart);
   deal_ranks(order, starts, threads, result.enters.data());
   with_affine_dimension(triangulation, [&]<int A>() {
     if constexpr (A >= 1) {
@@ -318,7 +321,7 @@ CriticalIndices critical_indices(const RegularTriangulation<D>& triangulation,
           .run(used.count(), used);
     }
   });
-  result.enters.pop_back();
+  result.enters.resize(table.size());
   return result;
 }
 

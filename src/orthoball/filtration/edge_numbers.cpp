@@ -11,7 +11,6 @@
 #include "orthoball/filtration/edge_numbers.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <utility>
 
@@ -33,7 +32,7 @@ class Numbering {
     if (ranges_.size() > 1) unite_across_ranges();
     number_all();
     for_each_range([&](Range& range) { write(range); });
-    result_.owners.pop_back();
+    result_.owners.resize(edge_count_);
     return std::move(result_);
   }
 
@@ -43,6 +42,7 @@ class Numbering {
     std::uint32_t end_name;
     std::uint32_t first_number;    // of the edges that it owns; before, how many these are
     std::uint32_t first_crossing;  // what stands for the first of its crossings
+    std::uint32_t spare;           // the owner that edges met before are written to
     std::vector<std::uint32_t> facets_across;  // 4 * cell + corner, to ranges before
     std::vector<std::uint32_t> crossings;      // names whose parents are of ranges before
   };
@@ -66,6 +66,7 @@ class Numbering {
   EdgeNames names_;
   std::vector<std::uint32_t> number_of_crossing_;  // [crossing - first_crossing_]
   std::uint32_t first_crossing_ = 0xFFFFFFFFU;     // edges and crossings are fewer than names
+  std::uint32_t edge_count_ = 0;
   EdgeNumbers result_;
 };
 
@@ -125,7 +126,11 @@ void Numbering::number_all() {
   }
   for_each_range([&](const Range& range) { number(range); });
   for (std::uint32_t& root : number_of_crossing_) root = names_[root];
-  result_.owners.resize(edges + std::size_t{1});  // the last means nothing
+  edge_count_ = edges;
+  // So far from each other that no two ranges write to the same lines of the cache.
+  constexpr std::uint32_t kApart = 32;
+  for (Range& range : ranges_) range.spare = edges += kApart;
+  result_.owners.resize(edges + std::size_t{1});
 }
 
 // The roots, and the names below others of ranges before.
@@ -162,7 +167,7 @@ void Numbering::write(const Range& range) {
   const std::uint32_t* const names = names_.parents();
   std::array<std::uint32_t, 6>* const of_cells = result_.of_cells.data();
   std::uint32_t* const owners = result_.owners.data();
-  const auto nowhere = static_cast<std::uint32_t>(result_.owners.size()) - 1;
+  const std::uint32_t spare = range.spare;
   for (std::uint32_t cell = range.cells.begin; cell < range.cells.end; ++cell) {
     const auto& order = kAscendingSlot[descends(cells_[cell])];
     std::array<std::uint32_t, 6> edges;
@@ -172,8 +177,7 @@ void Numbering::write(const Range& range) {
       std::uint32_t& edge = edges[slot];
       if (edge >= first_crossing) edge = number_of_crossing_[edge - first_crossing];
       const std::uint32_t met = 0U - static_cast<std::uint32_t>(edge < next);
-      std::atomic_ref(owners[(edge & ~met) | (nowhere & met)])
-          .store(6 * cell + static_cast<std::uint32_t>(slot), std::memory_order_relaxed);
+      owners[(edge & ~met) | (spare & met)] = 6 * cell + static_cast<std::uint32_t>(slot);
       end = std::max(end, edge + 1);
     });
     of_cells[cell] = edges;
