@@ -33,4 +33,9 @@ class InputUnits {
   double power_of_two_ = 1.0;  // 2^exponent_, 0 where that is no normal number
 };
 
+/// The other way, rounded: a number of input units as one of the scaled units of Sites. Infinite or
+/// 0 beyond the double range.
+/// @param power, scale_exponent, decimals  as above.
+[[nodiscard]] double from_input_units(double value, int power, int scale_exponent, int decimals);
+
 }  // namespace orthoball
