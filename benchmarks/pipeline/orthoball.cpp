@@ -8,6 +8,7 @@
 #include "orthoball/filtration/filter.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/large_blocks.h"
+#include "orthoball/measures/union_of_balls.h"
 #include "orthoball/parallel.h"
 #include "orthoball/signatures/signature.h"
 #include "orthoball/triangulation/build.h"
@@ -66,6 +67,11 @@ void run(const benchmarks::Case& task) {
         filtration, [&](const Signature<D>& signature) { last = signature.index; }, threads);
     if (last != filtration.spectrum_size()) throw std::logic_error("an index was left out");
     meter.stage("signatures");
+  } else if (task.work == "balls") {
+    const UnionOfBalls balls =
+        union_of_balls(filtration, filtration.index(0.0), 0.0, UnionOptions{.threads = threads});
+    if (!(balls.area > 0.0)) throw std::logic_error("the union has no surface");
+    meter.stage("balls");
   } else if (task.work == "filtration") {
     const Filter<D> filter(filtration, threads);
     if (filter.simplices().size() != filtration.size()) {

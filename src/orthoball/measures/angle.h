@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 namespace orthoball {
 
@@ -48,5 +49,9 @@ namespace orthoball {
   const double total_small = x < 0.0 ? -from_axis_small : from_axis_small;
   return total_quarters * kQuarter + (total_quarters * kQuarterLow + total_small);
 }
+
+/// angles[i] = angle_from_x_axis(x[i], y[i]), all of the same length: many at once.
+void angles_from_x_axis(std::span<const double> x, std::span<const double> y,
+                        std::span<double> angles);
 
 }  // namespace orthoball

@@ -53,9 +53,9 @@ class SolidAngles {
   void tell(const LensFrame& frame, const Chord& chord, const Spheres<3>& spheres, std::size_t i,
             std::size_t j, std::size_t k) {
     tell_one(frame.lens().radius2, i, 6 - i - j - k,
-             frame.solid_angle(chord, 0, spheres[i].radius));
+             2 * angle(frame.half_solid_angle(chord, 0, spheres[i].radius)));
     tell_one(frame.lens().radius2, j, 6 - i - j - k,
-             frame.solid_angle(chord, 1, spheres[j].radius));
+             2 * angle(frame.half_solid_angle(chord, 1, spheres[j].radius)));
   }
   [[nodiscard]] double sum(std::size_t ball) const {
     double sum = 0.0;
@@ -84,22 +84,24 @@ struct Disk {
   double dihedral = 0.0;  // of the tetrahedron at the two centres
 };
 
-Disk disk_inside(const LensFrame& frame, std::span<const Chord> chords) {
+Disk disk_inside(const LensFrame& frame, std::span<const Beyond> others) {
   const double circle2 = frame.lens().radius2;
   Disk disk;
-  if (chords.size() == 1) {
-    disk.angle = 2 * chords[0].half_angle();
-    disk.area = (circle2 * disk.angle - chords[0].height * 2 * chords[0].half) / 2;
+  if (others.size() == 1) {
+    const Chord chord = frame.chord(others[0]);
+    disk.angle = 2 * angle(chord.half_angle());
+    disk.area = (circle2 * disk.angle - chord.height * 2 * chord.half) / 2;
     return disk;
   }
-  if (chords.size() == 2) {
-    const bool turns = cross(chords[0].apex, chords[1].apex) < 0.0;
-    const Chord &a = chords[turns ? 1 : 0], &b = chords[turns ? 0 : 1];
-    disk.dihedral = angle_between(a.apex, b.apex);
-    disk.angle = std::max(0.0, a.half_angle() + b.half_angle() - disk.dihedral);
-    const InLens meeting = frame.crossing(a, b);
-    const double on_a = a.half - cross(a.apex, meeting) / a.apex_distance;
-    const double on_b = b.half - cross(meeting, b.apex) / b.apex_distance;
+  if (others.size() == 2) {
+    const bool turns = cross(others[0].apex, others[1].apex) < 0.0;
+    const Beyond &behind = others[turns ? 1 : 0], &ahead = others[turns ? 0 : 1];
+    const Chord a = frame.chord(behind), b = frame.chord(ahead);
+    disk.dihedral = angle(angle_between(behind.apex, ahead.apex));
+    disk.angle = std::max(0.0, angle(a.half_angle()) + angle(b.half_angle()) - disk.dihedral);
+    const InLens meeting = frame.crossing(behind, ahead);
+    const double on_a = a.half - cross(a.towards, meeting);
+    const double on_b = b.half - cross(meeting, b.towards);
     disk.area = (circle2 * disk.angle - a.height * on_a - b.height * on_b) / 2;
     return disk;
   }
@@ -115,14 +117,14 @@ BallOverlap<3> overlap(const Spheres<3>& spheres, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i + 1; j < count; ++j) {
       const LensFrame frame(spheres[i], spheres[j]);
-      std::array<Chord, 2> chords;
+      std::array<Beyond, 2> beyond;
       std::size_t others = 0;
       for (std::size_t k = 0; k < count; ++k) {
         if (k == i || k == j) continue;
-        chords[others] = frame.chord(spheres[k]);
-        solid.tell(frame, chords[others++], spheres, i, j, k);
+        beyond[others] = frame.beyond(spheres[k]);
+        solid.tell(frame, frame.chord(beyond[others++]), spheres, i, j, k);
       }
-      const Disk disk = disk_inside(frame, std::span(chords).first(others));
+      const Disk disk = disk_inside(frame, std::span(beyond).first(others));
       result.arcs[i][j] = result.arcs[j][i] = frame.lens().radius * disk.angle;
       for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
         const std::size_t ball = end == 0 ? i : j;
@@ -160,8 +162,8 @@ BallOverlap<2> overlap(const Spheres<2>& spheres, std::size_t count) {
         length = pair.radius - offset_across(pair, spheres[i], spheres[3 - i - j]);
         share = 1;
       }
-      angles[i] += share * pair.opening(0);
-      angles[j] += share * pair.opening(1);
+      angles[i] += share * angle(pair.opening(0));
+      angles[j] += share * angle(pair.opening(1));
       beside[i] += pair.height[0] * length;
       beside[j] += pair.height[1] * length;
     }

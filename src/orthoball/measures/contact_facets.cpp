@@ -51,15 +51,6 @@ bool turn_on(std::span<const CellRecord<3>> cells, Turn turn, const Visit& visit
   }
 }
 
-// Whether of two edges at one centre the circle of the first is to tell a solid angle between them:
-// the smaller one does it best.
-bool tells_better(const Lens<3>& lens, const Sphere<3>& centre, std::uint32_t to,
-                  const Sphere<3>& third, std::uint32_t to_third, bool centre_is_first) {
-  const Lens<3> other =
-      centre_is_first ? orthoball::lens(centre, third) : orthoball::lens(third, centre);
-  return lens.radius2 < other.radius2 || (lens.radius2 == other.radius2 && to < to_third);
-}
-
 // The third vertices of the triangles around an edge, counterclockwise about it; those of the hull
 // first and last where it is on the hull.
 void look_around(const Filtration<3>& filtration, std::uint32_t index, SimplexId edge,
@@ -126,78 +117,164 @@ ContactFacets<D>::ContactFacets(const Filtration<D>& filtration, std::uint32_t i
   }
 }
 
-template <>
-ContactFacet<3> ContactFacets<3>::facet(SimplexId edge, Room& room) const {
-  constexpr double kPerCell = std::numbers::pi / 3;  // its solid angle lacks pi, told by 3 edges
-  const auto ends = face_vertices<2>(*filtration_, edge);
-  const std::array<const Sphere<3>*, 2> ball{&spheres_[ends[0]], &spheres_[ends[1]]};
-  const LensFrame frame(*ball[0], *ball[1]);
-  ContactFacet<3> facet;
-  facet.lens = frame.lens();
-  look_around(*filtration_, index_, edge, ends, room);
-  const bool is_interior = filtration_->interior(edge) <= index_;
+namespace {
 
-  double inside = 0.0;  // angles of cells
-  double beside = 0.0;  // of the tetrahedra beside exposed triangles
-  InLens moment;
-  const auto begin_or_end_arc = [&](const Chord& chord, std::uint32_t third, double side) {
-    beside += chord.half_angle();
-    const InLens corner = chord.end(side);
-    moment.x -= side * corner.y;
-    moment.y += side * corner.x;
-    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-      if (tells_better(facet.lens, *ball[end], ends[1 - end], spheres_[third], third,
-                       ends[end] < third)) {
-        facet.taken[end] += frame.solid_angle(chord, end, ball[end]->radius);
+// What angles of an edge are summed for.
+enum Sum : std::uint32_t {
+  kInside,       // of the cells around it
+  kBeside,       // of the tetrahedra beside exposed triangles
+  kTaken,        // solid angles of these at the two ends
+  kOpening = 4,  // of the circle, seen from the two centres
+  kSums = 6,
+};
+
+// Looks around edges in space, one by one: everything about them but the angles, for which it asks.
+class EdgeInSpace {
+ public:
+  using Room = ContactFacets<3>::Room;
+
+  EdgeInSpace(std::span<const Sphere<3>> spheres, const std::array<std::uint32_t, 2>& ends,
+              bool is_interior, std::uint32_t number, Room& room)
+      : spheres_(spheres),
+        ends_(ends),
+        room_(room),
+        first_sum_(kSums * number),
+        is_interior_(is_interior),
+        frame_(spheres[ends[0]], spheres[ends[1]]),
+        circle_(rough_circle2(spheres[ends[0]], spheres[ends[1]])) {}
+
+  // Without the disk's sectors at the arcs.
+  void look_at(ContactFacet<3>& facet) {
+    facet = {};
+    facet.ends = ends_;
+    facet.lens = frame_.lens();
+    const std::span<const ApexOfEdge> around = room_.around;
+    const std::size_t size = around.size();
+    Beyond next = size > 0 && around[0].is_in ? beyond(around[0]) : Beyond{};
+    const Beyond first = next;
+    InLens corner;  // of the facet, at the end of the last line that has been met
+    if (size > 0 && around[size - 1].cell_is_in) {
+      corner = frame_.crossing(beyond(around[size - 1]), first);
+    }
+    bool follows_cell = size > 0 && around[size - 1].cell_is_in;
+    for (std::size_t i = 0; i < size; ++i) {
+      const ApexOfEdge& apex = around[i];
+      const Beyond here = next;
+      const std::size_t after = i + 1 == size ? 0 : i + 1;
+      if (around[after].is_in) next = after == 0 ? first : beyond(around[after]);
+      if (apex.is_in) {
+        InLens end;
+        if (apex.cell_is_in) {
+          end = frame_.crossing(here, next);
+          ++cells_;
+          if (!is_interior_) ask(kInside, angle_between(here.apex, next.apex), 1.0);
+        }
+        if (!follows_cell || !apex.cell_is_in) {
+          expose(here, apex, follows_cell, apex.cell_is_in, corner, end);
+        }
+        facet.area += cross(corner, end) / 2;
+        corner = end;
+      }
+      follows_cell = apex.cell_is_in;
+    }
+    // The solid angle of a cell lacks pi of its three angles, of which this edge has one.
+    facet.taken.fill(-std::numbers::pi / 3 * cells_);
+    facet.moment = frame_.in_space(moment_);
+    if (is_interior_) return;
+    ask(kOpening, facet.lens.opening(0), 1.0);
+    ask(kOpening + 1, facet.lens.opening(1), 1.0);
+  }
+
+ private:
+  [[nodiscard]] Beyond beyond(const ApexOfEdge& apex) const {
+    return frame_.beyond(spheres_[apex.vertex]);
+  }
+  void ask(std::uint32_t sum, HalfPlane angle, double times) {
+    room_.x.push_back(angle.x);
+    room_.y.push_back(angle.y);
+    room_.times.push_back(times);
+    room_.added_to.push_back(first_sum_ + sum);
+  }
+
+  // A triangle with one exposed side, or two: there the facet has corners on the circle.
+  void expose(const Beyond& here, const ApexOfEdge& apex, bool follows_cell, bool precedes_cell,
+              InLens& begin, InLens& end) {
+    const Chord chord = frame_.chord(here);
+    const auto corner_at = [&](double side) {
+      const InLens corner = chord.end(side);
+      moment_.x -= side * corner.y;
+      moment_.y += side * corner.x;
+      return corner;
+    };
+    if (!follows_cell) begin = corner_at(-1.0);
+    if (!precedes_cell) end = corner_at(1.0);
+    const double sides = (follows_cell ? 0.0 : 1.0) + (precedes_cell ? 0.0 : 1.0);
+    ask(kBeside, chord.half_angle(), sides);
+    // At each end two edges of the triangle could tell the solid angle: that with the smaller
+    // circle does it best.
+    const Sphere<3>& third = spheres_[apex.vertex];
+    for (std::uint32_t i = 0; i < 2; ++i) {
+      const Sphere<3>& centre = spheres_[ends_[i]];
+      const double other =
+          ends_[i] < apex.vertex ? rough_circle2(centre, third) : rough_circle2(third, centre);
+      if (circle_ < other || (circle_ == other && ends_[1 - i] < apex.vertex)) {
+        ask(kTaken + i, frame_.half_solid_angle(chord, i, centre.radius), 2 * sides);
       }
     }
-    return corner;
-  };
+  }
 
-  const std::size_t size = room.size();
-  Chord next = size == 0 || !room[0].is_in ? Chord{} : frame.chord(spheres_[room[0].vertex]);
-  const Chord first = next;
-  InLens corner;  // of the facet, at the end of the last chord that has been met
-  if (size > 0 && room[size - 1].cell_is_in) {
-    corner = frame.crossing(frame.chord(spheres_[room[size - 1].vertex]), first);
-  }
-  for (std::size_t i = 0; i < size; ++i) {
-    const Chord chord = next;
-    const bool is_last = i + 1 == size;
-    const std::size_t after = is_last ? 0 : i + 1;
-    if (room[after].is_in) next = is_last ? first : frame.chord(spheres_[room[after].vertex]);
-    if (!room[i].is_in) continue;
-    const bool follows_cell = room[i == 0 ? size - 1 : i - 1].cell_is_in;
-    if (!follows_cell) corner = begin_or_end_arc(chord, room[i].vertex, -1.0);
-    InLens end;
-    if (room[i].cell_is_in) {
-      end = frame.crossing(chord, next);
-      if (!is_interior) inside += angle_between(chord.apex, next.apex);
-      for (double& taken : facet.taken) taken -= kPerCell;
-    } else {
-      end = begin_or_end_arc(chord, room[i].vertex, 1.0);
-    }
-    facet.area += cross(corner, end) / 2;
-    corner = end;
-  }
+  std::span<const Sphere<3>> spheres_;
+  std::array<std::uint32_t, 2> ends_;
+  Room& room_;
+  std::uint32_t first_sum_;
+  bool is_interior_;
+  LensFrame frame_;
+  double circle_;
+  int cells_ = 0;
+  InLens moment_;
+};
+
+}  // namespace
+
+template <>
+void ContactFacets<3>::measure(std::span<const SimplexId> edges, std::span<ContactFacet<3>> out,
+                               Room& room) const {
   constexpr double kAll = 2 * std::numbers::pi;
-  if (is_interior) inside = kAll;
-  facet.exposed = is_interior ? 0.0 : std::max(0.0, kAll - inside - beside);
-  for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-    const double r = ball[end]->radius;
-    facet.taken[end] += inside;
-    if (r > 0.0) facet.taken[end] += (r - facet.lens.height[end]) / r * facet.exposed;
+  for (auto* list : {&room.x, &room.y, &room.times}) list->clear();
+  room.added_to.clear();
+  for (std::uint32_t i = 0; i < edges.size(); ++i) {
+    const auto ends = face_vertices<2>(*filtration_, edges[i]);
+    look_around(*filtration_, index_, edges[i], ends, room.around);
+    EdgeInSpace(spheres_, ends, is_interior(edges[i]), i, room).look_at(out[i]);
   }
-  facet.area = std::max(0.0, facet.area + facet.lens.radius2 * facet.exposed / 2);
-  facet.moment = frame.in_space(moment);
-  return facet;
+  room.angles.resize(room.x.size());
+  angles_from_x_axis(room.x, room.y, room.angles);
+  room.sums.assign(kSums * edges.size(), 0.0);
+  for (std::size_t i = 0; i < room.angles.size(); ++i) {
+    room.sums[room.added_to[i]] += room.times[i] * room.angles[i];
+  }
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    ContactFacet<3>& facet = out[i];
+    const double* const sums = &room.sums[kSums * i];
+    const bool is_inside = is_interior(edges[i]);
+    const double inside = is_inside ? kAll : sums[kInside];
+    facet.exposed = is_inside ? 0.0 : std::max(0.0, kAll - inside - sums[kBeside]);
+    facet.bend = is_inside ? 0.0 : std::numbers::pi - sums[kOpening] - sums[kOpening + 1];
+    facet.area = std::max(0.0, facet.area + facet.lens.radius2 * facet.exposed / 2);
+    for (std::size_t end = 0; end < 2; ++end) {
+      const double r = spheres_[facet.ends[end]].radius;
+      facet.taken[end] += inside + sums[kTaken + end];
+      if (r > 0.0) facet.taken[end] += (r - facet.lens.height[end]) / r * facet.exposed;
+    }
+  }
 }
 
 template <>
-ContactFacet<2> ContactFacets<2>::facet(SimplexId edge, Room& /*room*/) const {
+ContactFacet<2> ContactFacets<2>::in_plane(SimplexId edge) const {
   const auto ends = face_vertices<2>(*filtration_, edge);
   const std::array<const Sphere<2>*, 2> ball{&spheres_[ends[0]], &spheres_[ends[1]]};
   ContactFacet<2> facet;
+  facet.ends = ends;
   facet.lens = lens(*ball[0], *ball[1]);
   const auto& axis = facet.lens.axis;
   facet.exposed = 2.0;
@@ -221,10 +298,16 @@ ContactFacet<2> ContactFacets<2>::facet(SimplexId edge, Room& /*room*/) const {
   }
   facet.area = std::max(0.0, length);
   facet.moment = {-axis[1] * across, axis[0] * across};
-  for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-    facet.taken[end] += facet.exposed * facet.lens.opening(end);
-  }
+  const std::array<double, 2> opening{angle(facet.lens.opening(0)), angle(facet.lens.opening(1))};
+  facet.bend = std::numbers::pi - opening[0] - opening[1];
+  for (std::size_t end = 0; end < 2; ++end) facet.taken[end] += facet.exposed * opening[end];
   return facet;
+}
+
+template <>
+void ContactFacets<2>::measure(std::span<const SimplexId> edges, std::span<ContactFacet<2>> out,
+                               Room& /*room*/) const {
+  for (std::size_t i = 0; i < edges.size(); ++i) out[i] = in_plane(edges[i]);
 }
 
 template class ContactFacets<2>;

@@ -18,6 +18,15 @@ struct Sphere {
   double radius = 0.0;
 };
 
+/// A vector whose angle with the x axis is meant, y >= 0, so that many angles can be computed at
+/// once.
+struct HalfPlane {
+  double x = 1.0, y = 0.0;
+};
+[[nodiscard]] inline double angle(HalfPlane vector) {
+  return angle_from_x_axis(vector.x, vector.y);
+}
+
 // What two and three balls of one simplex of an alpha complex have in common. Their spheres meet,
 // so that all heights below lie within the balls; where rounding says otherwise they are put back
 // there. Derivations are in docs/derivations/union_of_balls.md.
@@ -34,9 +43,7 @@ struct Lens {
   double radius = 0.0;
 
   /// [ball]: the angle at each centre between the axis and the circle, in [0, pi] radians.
-  [[nodiscard]] double opening(std::size_t ball) const {
-    return angle_from_x_axis(height[ball], radius);
-  }
+  [[nodiscard]] HalfPlane opening(std::size_t ball) const { return {height[ball], radius}; }
 };
 
 /// radius + height, >= 0, also where these nearly cancel.
@@ -45,29 +52,43 @@ struct Lens {
   return radius > height ? circle2 / (radius - height) : 0.0;
 }
 
+/// The square of the radius of their circle, roughly: for telling which of two is the smaller.
+template <int D>
+[[nodiscard]] inline double rough_circle2(const Sphere<D>& a, const Sphere<D>& b) {
+  double norm2 = 0.0;
+  for (std::size_t i = 0; i < D; ++i) norm2 += (b.x[i] - a.x[i]) * (b.x[i] - a.x[i]);
+  const double twice = norm2 + (a.weight - b.weight);
+  return a.radius * a.radius - twice * twice / (4 * norm2);
+}
+
 /// The lens of two balls with different centres.
 template <int D>
 [[nodiscard]] inline Lens<D> lens(const Sphere<D>& a, const Sphere<D>& b) {
   Lens<D> result;
-  double largest = 0.0;
-  for (std::size_t i = 0; i < D; ++i) {
-    result.axis[i] = b.x[i] - a.x[i];
-    largest = std::max(largest, std::abs(result.axis[i]));
-  }
-  if (largest == 0.0) {  // closer than doubles can tell
-    result.axis[0] = 1.0;
-  } else {
+  const auto set_axis = [&](double unit) {
     double norm2 = 0.0;
-    for (double& x : result.axis) {
-      x /= largest;  // so that no square vanishes
-      norm2 += x * x;
+    for (std::size_t i = 0; i < D; ++i) {
+      result.axis[i] = (b.x[i] - a.x[i]) / unit;
+      norm2 += result.axis[i] * result.axis[i];
     }
-    const double norm = std::sqrt(norm2);
-    for (double& x : result.axis) x /= norm;
-    result.distance = largest * norm;
-    const double offset = (a.weight - b.weight) / result.distance;
+    return norm2;
+  };
+  double unit = 1.0;
+  double norm2 = set_axis(unit);
+  if (norm2 < 0x1p-900) {  // so that no square vanishes
+    unit = 0.0;
+    for (std::size_t i = 0; i < D; ++i) unit = std::max(unit, std::abs(b.x[i] - a.x[i]));
+    norm2 = unit > 0.0 ? set_axis(unit) : 0.0;
+  }
+  if (norm2 > 0.0) {
+    const double norm = std::sqrt(norm2), inverse = 1.0 / norm;
+    for (double& x : result.axis) x *= inverse;
+    result.distance = unit * norm;
+    const double offset = (a.weight - b.weight) * inverse / unit;
     result.height[0] = std::clamp((result.distance + offset) / 2, -a.radius, a.radius);
     result.height[1] = std::clamp((result.distance - offset) / 2, -b.radius, b.radius);
+  } else {
+    result.axis[0] = 1.0;  // closer than doubles can tell
   }
   const bool first = std::abs(result.height[0]) <= std::abs(result.height[1]);
   const double radius = first ? a.radius : b.radius;
@@ -95,7 +116,7 @@ template <int D>
                                          const Sphere<2>& c) {
   const double bx = b.x[0] - at.x[0], by = b.x[1] - at.x[1];
   const double cx = c.x[0] - at.x[0], cy = c.x[1] - at.x[1];
-  return angle_from_x_axis(bx * cx + by * cy, std::abs(bx * cy - by * cx));
+  return angle({bx * cx + by * cy, std::abs(bx * cy - by * cx)});
 }
 
 /// A vector in the plane of a lens's circle.
@@ -106,24 +127,27 @@ struct InLens {
 /// Positive where b is counterclockwise of a.
 [[nodiscard]] inline double cross(InLens a, InLens b) { return a.x * b.y - a.y * b.x; }
 
-/// A third ball at a lens in space: it covers the arc of the circle, and the segment of its disk,
-/// beyond a chord.
+/// A third ball at a lens in space, seen along the axis: it covers what is beyond a line.
+struct Beyond {
+  InLens apex;         ///< the third centre, from the axis
+  double along = 0.0;  ///< the third centre along the axis, from the first centre
+  double level = 0.0;  ///< the line is where the inner product with `apex` is this
+};
+
+/// Where that line cuts the disk of the lens.
 struct Chord {
-  InLens apex;                 ///< the third centre, from the axis
-  double apex_distance = 0.0;  ///< its length
-  double along = 0.0;          ///< the third centre along the axis, from the first centre
+  InLens towards;              ///< unit vector to the apex
+  double apex_distance = 0.0;  ///< of the third centre from the axis
+  double along = 0.0;          ///< as in Beyond
   double height = 0.0;         ///< signed distance of the chord from the axis, towards the apex
   double half = 0.0;           ///< half its length, >= 0
 
   /// Half the angle of the arc that the third ball covers, in [0, pi] radians.
-  [[nodiscard]] double half_angle() const { return angle_from_x_axis(height, half); }
+  [[nodiscard]] HalfPlane half_angle() const { return {height, half}; }
   /// One end of the chord: the later one seen counterclockwise for side = 1, the earlier for -1.
-  [[nodiscard]] InLens end(double side) const { return point(side * half); }
-  /// The point of the chord so far counterclockwise of its middle.
-  [[nodiscard]] InLens point(double offset) const {
-    if (apex_distance == 0.0) return {height, offset};
-    const InLens u{apex.x / apex_distance, apex.y / apex_distance};
-    return {height * u.x - offset * u.y, height * u.y + offset * u.x};
+  [[nodiscard]] InLens end(double side) const {
+    const double offset = side * half;
+    return {height * towards.x - offset * towards.y, height * towards.y + offset * towards.x};
   }
 };
 
@@ -138,10 +162,10 @@ class LensFrame {
       if (std::abs(e[i]) < std::abs(e[least])) least = i;
     }
     const std::size_t j = (least + 1) % 3, k = (least + 2) % 3;
-    const double norm = std::sqrt(e[j] * e[j] + e[k] * e[k]);
+    const double inverse = 1.0 / std::sqrt(e[j] * e[j] + e[k] * e[k]);
     auto& f = across_[0];
-    f[j] = -e[k] / norm;
-    f[k] = e[j] / norm;
+    f[j] = -e[k] * inverse;
+    f[k] = e[j] * inverse;
     for (std::size_t i = 0; i < 3; ++i) {
       across_[1][i] = e[(i + 1) % 3] * f[(i + 2) % 3] - e[(i + 2) % 3] * f[(i + 1) % 3];
     }
@@ -155,36 +179,42 @@ class LensFrame {
     return x;
   }
 
-  [[nodiscard]] Chord chord(const Sphere<3>& third) const {
-    std::array<double, 3> to{};
-    for (std::size_t i = 0; i < 3; ++i) to[i] = third.x[i] - first_.x[i];
+  [[nodiscard]] Beyond beyond(const Sphere<3>& third) const {
+    const double x = third.x[0] - first_.x[0], y = third.x[1] - first_.x[1],
+                 z = third.x[2] - first_.x[2];
     const auto along = [&](const std::array<double, 3>& e) {
-      return to[0] * e[0] + to[1] * e[1] + to[2] * e[2];
+      return x * e[0] + y * e[1] + z * e[2];
     };
-    Chord chord;
-    chord.apex = {along(across_[0]), along(across_[1])};
-    chord.along = along(lens_.axis);
-    const double off2 = dot(chord.apex, chord.apex);
-    chord.apex_distance = std::sqrt(off2);
+    Beyond beyond;
+    beyond.apex = {along(across_[0]), along(across_[1])};
+    beyond.along = along(lens_.axis);
     // On the plane of equal power with the first ball x . to = (|to|^2 + weight - weight) / 2.
-    const double level =
-        (off2 + chord.along * (chord.along - 2 * lens_.height[0]) + first_.weight - third.weight) /
+    beyond.level =
+        (dot(beyond.apex, beyond.apex) + beyond.along * (beyond.along - 2 * lens_.height[0]) +
+         (first_.weight - third.weight)) /
         2;
-    if (chord.apex_distance > 0.0) chord.height = level / chord.apex_distance;
-    chord.height = std::clamp(chord.height, -lens_.radius, lens_.radius);
+    return beyond;
+  }
+
+  [[nodiscard]] Chord chord(const Beyond& beyond) const {
+    Chord chord;
+    chord.apex_distance = std::sqrt(dot(beyond.apex, beyond.apex));
+    chord.along = beyond.along;
+    chord.towards = {1.0, 0.0};
+    if (chord.apex_distance > 0.0) {
+      chord.towards = {beyond.apex.x / chord.apex_distance, beyond.apex.y / chord.apex_distance};
+      chord.height = std::clamp(beyond.level / chord.apex_distance, -lens_.radius, lens_.radius);
+    }
     chord.half = std::sqrt((lens_.radius - chord.height) * (lens_.radius + chord.height));
     return chord;
   }
 
-  /// Where two chords cross: the orthocentre of the four balls, seen along the axis. The second
-  /// apex is counterclockwise of the first.
-  [[nodiscard]] InLens crossing(const Chord& a, const Chord& b) const {
-    const double size = cross(a.apex, b.apex);
-    const double to_a = a.height * a.apex_distance, to_b = b.height * b.apex_distance;
-    InLens at;
-    if (size > 0.0) {
-      at = {(to_a * b.apex.y - to_b * a.apex.y) / size, (to_b * a.apex.x - to_a * b.apex.x) / size};
-    }
+  /// Where two lines cross: the orthocentre of the four balls, seen along the axis. The second apex
+  /// is counterclockwise of the first.
+  [[nodiscard]] InLens crossing(const Beyond& a, const Beyond& b) const {
+    const double size = 1.0 / cross(a.apex, b.apex);
+    const InLens at{(a.level * b.apex.y - b.level * a.apex.y) * size,
+                    (b.level * a.apex.x - a.level * b.apex.x) * size};
     const double off2 = dot(at, at);
     if (off2 <= lens_.radius2) return at;
     if (!std::isfinite(off2)) return {};
@@ -192,16 +222,17 @@ class LensFrame {
     return {at.x * back, at.y * back};
   }
 
-  /// The solid angle, at the centre of one of the two balls, of the tetrahedron from the three
-  /// centres to an end of the chord; in [0, 2 pi]. As a function of the height and the half of the
+  /// Half the solid angle, at the centre of one of the two balls, of the tetrahedron from the three
+  /// centres to an end of the chord; in [0, pi]. As a function of the height and the half of the
   /// chord it goes with half_angle(): what rounding takes from one it gives to the other.
-  [[nodiscard]] double solid_angle(const Chord& chord, std::size_t ball, double radius) const {
+  [[nodiscard]] HalfPlane half_solid_angle(const Chord& chord, std::size_t ball,
+                                           double radius) const {
     const double along = ball == 0 ? chord.along : lens_.distance - chord.along;
     const double off = chord.apex_distance;
     const double length = std::sqrt(along * along + off * off);
     const double beyond = along >= 0.0 ? length + along : off * (off / (length - along));
     const double above = above_far_pole(radius, lens_.height[ball], lens_.radius2);
-    return 2 * angle_from_x_axis(above * beyond + off * chord.height, off * chord.half);
+    return {above * beyond + off * chord.height, off * chord.half};
   }
 
  private:
@@ -212,8 +243,8 @@ class LensFrame {
 
 /// The angle from one apex to the next one counterclockwise, in [0, pi] radians: the dihedral angle
 /// of their tetrahedron at the axis.
-[[nodiscard]] inline double angle_between(InLens a, InLens b) {
-  return angle_from_x_axis(dot(a, b), std::max(0.0, cross(a, b)));
+[[nodiscard]] inline HalfPlane angle_between(InLens a, InLens b) {
+  return {dot(a, b), std::max(0.0, cross(a, b))};
 }
 
 }  // namespace orthoball

@@ -67,8 +67,8 @@ class Union {
   bool is_in(SimplexId simplex) const { return filtration_.enters(simplex) <= index_; }
 
   void add_edges();
-  void add(SimplexId edge, const ContactFacet<D>& facet);
-  void add_to_derivatives(const std::array<std::uint32_t, 2>& ends, const ContactFacet<D>& facet);
+  void add(const ContactFacet<D>& facet);
+  void add_to_derivatives(const ContactFacet<D>& facet);
   void add_vertices();
   void count();
   void sort_contacts();
@@ -88,7 +88,7 @@ class Union {
 
 template <int D>
 void Union<D>::add_edges() {
-  constexpr std::size_t kPart = std::size_t{1} << 10U, kParts = 32;
+  constexpr std::size_t kPart = std::size_t{1} << 10U, kParts = 32, kAtOnce = 128;
   const std::uint32_t first = filtration_.table().first(1);
   const std::size_t edges = filtration_.count(1);
   std::vector<SimplexId> wanted;
@@ -102,27 +102,25 @@ void Union<D>::add_edges() {
     parallel_parts(options_.threads.for_work(wanted.size(), kPart), wanted.size(), kParts,
                    [&](std::size_t, std::size_t begin, std::size_t end) {
                      typename ContactFacets<D>::Room room;
-                     for (std::size_t i = begin; i < end; ++i) {
-                       facets[i] = facets_.facet(wanted[i], room);
+                     for (std::size_t i = begin; i < end; i += kAtOnce) {
+                       const std::size_t size = std::min(kAtOnce, end - i);
+                       facets_.measure(std::span(wanted).subspan(i, size),
+                                       std::span(facets).subspan(i, size), room);
                      }
                    });
-    for (std::size_t i = 0; i < wanted.size(); ++i) add(wanted[i], facets[i]);
+    for (std::size_t i = 0; i < wanted.size(); ++i) add(facets[i]);
   }
 }
 
 template <int D>
-void Union<D>::add(SimplexId edge, const ContactFacet<D>& facet) {
-  const auto vertices = filtration_.vertices(edge);
-  const std::array<std::uint32_t, 2> ends{vertices[0].row(), vertices[1].row()};
+void Union<D>::add(const ContactFacet<D>& facet) {
+  const auto& ends = facet.ends;
   for (std::size_t end = 0; end < 2; ++end) {
     taken_[ends[end]] += facet.taken[end];
     beside_[ends[end]] += facet.lens.height[end] * facet.area;
   }
   if constexpr (D == 3) {
-    if (facet.exposed > 0.0) {
-      const double bend = std::numbers::pi - facet.lens.opening(0) - facet.lens.opening(1);
-      bends_.add(bend * facet.lens.radius * facet.exposed / 2);
-    }
+    bends_.add(facet.bend * facet.lens.radius * facet.exposed / 2);
   }
   if (options_.contacts) {
     const Sites<D>& sites = filtration_.triangulation().sites();
@@ -131,15 +129,15 @@ void Union<D>::add(SimplexId edge, const ContactFacet<D>& facet) {
     if (contact.rows[1] < contact.rows[0]) std::swap(contact.rows[0], contact.rows[1]);
     result_.contacts.push_back(contact);
   }
-  if (options_.derivatives) add_to_derivatives(ends, facet);
+  if (options_.derivatives) add_to_derivatives(facet);
 }
 
 // A moving ball pushes its surface outwards; by the divergence theorem the integral of the normal
 // over it is that over the facets, turned round. Where two surfaces meet, at angle phi between
 // their normals, area vanishes at tan(phi / 2) times the speeds of both.
 template <int D>
-void Union<D>::add_to_derivatives(const std::array<std::uint32_t, 2>& ends,
-                                  const ContactFacet<D>& facet) {
+void Union<D>::add_to_derivatives(const ContactFacet<D>& facet) {
+  const auto& ends = facet.ends;
   const Lens<D>& lens = facet.lens;
   const double r0 = facets_.spheres()[ends[0]].radius, r1 = facets_.spheres()[ends[1]].radius;
   const double d = lens.distance;
