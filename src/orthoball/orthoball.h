@@ -24,11 +24,15 @@
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/filtration/simplex_table.h"
 // topology, measures
+#include "orthoball/measures/ball_overlaps.h"
 #include "orthoball/measures/complex_measures.h"
+#include "orthoball/measures/union_of_balls.h"
 #include "orthoball/topology/betti.h"
 // signatures
 #include "orthoball/signatures/notable_alphas.h"
 #include "orthoball/signatures/signature.h"
+// queries
+#include "orthoball/queries/voids.h"
 // output
 #include "orthoball/output/byte_sink.h"
 #include "orthoball/output/mesh.h"

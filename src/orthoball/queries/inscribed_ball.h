@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "orthoball/measures/lens.h"
+
+namespace orthoball {
+
+/// A ball that touches others from outside.
+template <int D>
+struct InscribedBall {
+  std::array<double, std::size_t{D}> centre{};
+  double radius = 0.0;  ///< < 0 where the centre is inside another ball
+};
+
+/// The largest ball around a point that is in none of the balls.
+template <int D>
+[[nodiscard]] InscribedBall<D> ball_around(const std::array<double, std::size_t{D}>& centre,
+                                           std::span<const Sphere<D>> balls);
+
+/// From the point of equal power of D + 1 balls, the corners of a cell, to a ball that cannot grow
+/// by touching others: again and again the one that touches the D + 1 nearest balls, as long as
+/// that is larger and has points in common with the one before, so that it lies in the same void.
+/// @param balls  those that line the void; at least D + 1.
+template <int D>
+[[nodiscard]] InscribedBall<D> inscribed_ball(
+    const std::array<Sphere<D>, std::size_t{D} + 1>& corners, std::span<const Sphere<D>> balls);
+
+extern template InscribedBall<2> ball_around(const std::array<double, 2>&,
+                                             std::span<const Sphere<2>>);  // in inscribed_ball.cpp
+extern template InscribedBall<3> ball_around(const std::array<double, 3>&,
+                                             std::span<const Sphere<3>>);
+extern template InscribedBall<2> inscribed_ball(const std::array<Sphere<2>, 3>&,
+                                                std::span<const Sphere<2>>);
+extern template InscribedBall<3> inscribed_ball(const std::array<Sphere<3>, 4>&,
+                                                std::span<const Sphere<3>>);
+
+}  // namespace orthoball

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+//
+// Voids are components of the cells outside the complex, joined through facets outside it; the
+// outside is one more node. When they are born is found by going back: facets are taken away, the
+// last to enter first, and of two components that one joins, the one that is filled first ends,
+// which is to say begins there. Measures are sums over the cells of a void (cell_gap.h).
+//
+// Delfinado, Edelsbrunner. An incremental algorithm for Betti numbers of simplicial complexes.
+// Computer Aided Geometric Design 12 (1995). Liang, Edelsbrunner, Fu, Sudhakar, Subramaniam.
+// Analytical shape computation of macromolecules II. Proteins 33 (1998).
+#include "orthoball/queries/voids.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "orthoball/error.h"
+#include "orthoball/filtration/edge_ring.h"
+#include "orthoball/measures/cell_gap.h"
+#include "orthoball/measures/compensated_sum.h"
+#include "orthoball/measures/contact_facets.h"
+#include "orthoball/measures/input_units.h"
+#include "orthoball/queries/inscribed_ball.h"
+#include "orthoball/topology/union_find.h"
+
+namespace orthoball {
+namespace {
+
+// A void while it is found.
+struct Component {
+  std::vector<std::uint32_t> cells;  // by number within their dimension, ascending
+  std::uint32_t last = 0;            // the cell that fills it
+  std::uint32_t born = 0;
+};
+
+template <int D>
+class Complement {
+ public:
+  Complement(const Filtration<D>& filtration, std::uint32_t index)
+      : filtration_(filtration),
+        enters_of_cell_(filtration.enters().subspan(filtration.table().first(D))),
+        enters_of_facet_(
+            filtration.enters().subspan(filtration.table().first(D - 1), filtration.count(D - 1))),
+        joined_(enters_of_cell_.size() + 1),
+        last_(enters_of_cell_.size() + 1),
+        index_(index) {
+    for (std::uint32_t cell = 0; cell < last_.size(); ++cell) last_[cell] = cell;
+  }
+
+  // The bounded components, by their first cells.
+  std::vector<Component> voids() {
+    for (std::uint32_t facet = 0; facet < enters_of_facet_.size(); ++facet) {
+      if (enters_of_facet_[facet] > index_) join(facet);
+    }
+    const std::uint32_t outside_root = joined_.find(outside());
+    std::map<std::uint32_t, std::size_t> number_of_root;
+    std::vector<Component> voids;
+    for (std::uint32_t cell = 0; cell < outside(); ++cell) {
+      const std::uint32_t root = joined_.find(cell);
+      if (enters_of_cell_[cell] <= index_ || root == outside_root) continue;
+      const auto [place, is_new] = number_of_root.try_emplace(root, voids.size());
+      if (is_new) voids.push_back({{}, last_[root], 0});
+      voids[place->second].cells.push_back(cell);
+    }
+    find_births(voids);
+    return voids;
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t outside() const {
+    return static_cast<std::uint32_t>(enters_of_cell_.size());
+  }
+  // Whether a cell is filled after another; the outside never is.
+  [[nodiscard]] bool is_later(std::uint32_t a, std::uint32_t b) const {
+    if (a == outside() || b == outside()) return a == outside() && b != outside();
+    return std::pair(enters_of_cell_[a], a) > std::pair(enters_of_cell_[b], b);
+  }
+
+  // Takes a facet away. The last cell of the component that ends, or the outside if none does.
+  std::uint32_t join(std::uint32_t facet) {
+    const auto cells =
+        filtration_.template cells_beside(SimplexId(filtration_.table().first(D - 1) + facet));
+    const std::uint32_t first = filtration_.table().first(D);
+    const std::uint32_t a = joined_.find(cells[0].row() - first);
+    const std::uint32_t b = joined_.find(cells.size() == 2 ? cells[1].row() - first : outside());
+    if (a == b) return outside();
+    const std::uint32_t earlier = is_later(last_[a], last_[b]) ? last_[b] : last_[a];
+    const std::uint32_t later = earlier == last_[a] ? last_[b] : last_[a];
+    joined_.unite(a, b);
+    last_[joined_.find(a)] = later;
+    return earlier;
+  }
+
+  void find_births(std::vector<Component>& voids) {
+    if (voids.empty()) return;
+    std::map<std::uint32_t, std::size_t> unborn;  // by the last cell
+    for (std::size_t i = 0; i < voids.size(); ++i) unborn[voids[i].last] = i;
+    std::vector<std::uint32_t> facets;
+    for (std::uint32_t facet = 0; facet < enters_of_facet_.size(); ++facet) {
+      if (enters_of_facet_[facet] <= index_) facets.push_back(facet);
+    }
+    // Most voids have been born shortly before, so the facets are not all sorted.
+    const auto earlier = [&](std::uint32_t a, std::uint32_t b) {
+      return std::pair(enters_of_facet_[a], a) < std::pair(enters_of_facet_[b], b);
+    };
+    std::make_heap(facets.begin(), facets.end(), earlier);
+    while (!unborn.empty() && !facets.empty()) {
+      std::pop_heap(facets.begin(), facets.end(), earlier);
+      const auto born = unborn.find(join(facets.back()));
+      if (born != unborn.end()) {
+        voids[born->second].born = enters_of_facet_[facets.back()];
+        unborn.erase(born);
+      }
+      facets.pop_back();
+    }
+  }
+
+  const Filtration<D>& filtration_;
+  std::span<const std::uint32_t> enters_of_cell_, enters_of_facet_;
+  UnionFind joined_;                 // cells outside the complex and the outside
+  std::vector<std::uint32_t> last_;  // [smallest of a set]: its cell that is filled last
+  std::uint32_t index_;
+};
+
+template <int D>
+class VoidMeasures {
+ public:
+  VoidMeasures(const Filtration<D>& filtration, std::uint32_t index, double alpha2, VoidsOf of)
+      : filtration_(filtration),
+        sites_(filtration.triangulation().sites()),
+        balls_(filtration, index,
+               from_input_units(alpha2, 2, sites_.scale_exponent(), sites_.decimals())),
+        index_(index),
+        of_(of) {}
+
+  Void<D> measured(const Component& component) const {
+    Void<D> result;
+    const std::uint32_t first = filtration_.table().first(D);
+    result.born = component.born;
+    result.dies = filtration_.enters(SimplexId(first + component.last));
+    result.born_alpha2 = filtration_.alpha2(result.born);
+    result.dies_alpha2 = filtration_.alpha2(result.dies);
+    for (const std::uint32_t cell : component.cells) result.cells.emplace_back(first + cell);
+    of_ == VoidsOf::balls ? measure_balls(result) : measure_shape(result);
+    std::sort(result.lining.begin(), result.lining.end(),
+              [](const LiningBall& a, const LiningBall& b) { return a.row < b.row; });
+    return result;
+  }
+
+ private:
+  using Corners = std::array<Sphere<D>, std::size_t{D} + 1>;
+
+  [[nodiscard]] bool is_in(SimplexId simplex) const {
+    return filtration_.enters(simplex) <= index_;
+  }
+  [[nodiscard]] InputUnits units(int power) const {
+    return {power, sites_.scale_exponent(), sites_.decimals(), 1};
+  }
+  [[nodiscard]] Sphere<D> ball(std::uint32_t vertex) const {
+    Sphere<D> sphere = balls_.spheres()[vertex];
+    if (of_ == VoidsOf::shape) sphere.radius = sphere.weight = 0.0;
+    return sphere;
+  }
+  [[nodiscard]] FacesInComplex faces_in_complex(SimplexId cell) const;
+  void measure_balls(Void<D>& result) const;
+  void measure_shape(Void<D>& result) const;
+  void find_largest_ball(Void<D>& result, std::span<const std::uint32_t> lining) const;
+
+  const Filtration<D>& filtration_;
+  const Sites<D>& sites_;
+  ContactFacets<D> balls_;
+  std::uint32_t index_;
+  VoidsOf of_;
+};
+
+template <int D>
+FacesInComplex VoidMeasures<D>::faces_in_complex(SimplexId cell) const {
+  FacesInComplex faces;
+  const auto facets = filtration_.facets(cell);
+  for (std::uint32_t i = 0; i < facets.size(); ++i) {
+    if (is_in(facets[i])) faces.facets |= 1U << i;
+  }
+  if constexpr (D == 3) {
+    for (std::uint32_t i = 0; i < 3; ++i) {  // the edges of three triangles are all
+      const auto edges = filtration_.facets(facets[i]);
+      for (std::uint32_t k = 0; k < 3; ++k) {  // edge k leaves out corner k of the triangle
+        const std::uint32_t left_out = k < i ? k : k + 1;
+        if (is_in(edges[k])) faces.edges |= 1U << (5U - kEdgeSlot[i][left_out]);
+      }
+    }
+  }
+  return faces;
+}
+
+template <int D>
+void VoidMeasures<D>::measure_balls(Void<D>& result) const {
+  std::map<std::uint32_t, double> exposed;  // [vertex]: of its sphere, as an angle
+  CompensatedSum volume, area;
+  for (const SimplexId cell : result.cells) {
+    const auto vertices = filtration_.vertices(cell);
+    Corners corners;
+    for (std::size_t i = 0; i <= D; ++i) corners[i] = ball(vertices[i].row());
+    const CellGap<D> gap = cell_gap(corners, faces_in_complex(cell));
+    volume.add(gap.volume);
+    for (std::size_t i = 0; i <= D; ++i) {
+      if (is_in(SimplexId(vertices[i].row()))) exposed[vertices[i].row()] += gap.exposed[i];
+    }
+  }
+  std::vector<std::uint32_t> lining;
+  for (const auto& [vertex, angle] : exposed) {
+    const double r = ball(vertex).radius;
+    const double own = std::max(0.0, angle) * (D == 3 ? r * r : r);
+    volume.add(-own * r / D);
+    area.add(own);
+    lining.push_back(vertex);
+    result.lining.push_back({sites_.row(vertex), units(D - 1)({own, 0.0})});
+  }
+  result.volume = std::max(0.0, units(D)(volume.value()));
+  result.area = units(D - 1)(area.value());
+  find_largest_ball(result, lining);
+}
+
+template <int D>
+void VoidMeasures<D>::measure_shape(Void<D>& result) const {
+  std::map<std::uint32_t, bool> around;
+  CompensatedSum volume, area;
+  for (const SimplexId cell : result.cells) {
+    const auto vertices = filtration_.vertices(cell);
+    Corners corners;
+    for (std::size_t i = 0; i <= D; ++i) corners[i] = ball(vertices[i].row());
+    volume.add(cell_gap(corners, {}).volume);
+    const auto facets = filtration_.facets(cell);
+    for (std::size_t i = 0; i <= D; ++i) {
+      if (is_in(facets[i])) area.add(facet_size(corners, i));
+      if (is_in(SimplexId(vertices[i].row()))) around[vertices[i].row()] = true;
+    }
+  }
+  std::vector<std::uint32_t> lining;
+  for (const auto& [vertex, is_around] : around) {
+    lining.push_back(vertex);
+    result.lining.push_back({sites_.row(vertex), 0.0});
+  }
+  result.volume = units(D)(volume.value());
+  result.area = units(D - 1)(area.value());
+  find_largest_ball(result, lining);
+}
+
+template <int D>
+void VoidMeasures<D>::find_largest_ball(Void<D>& result,
+                                        std::span<const std::uint32_t> lining) const {
+  if (lining.size() <= D) return;
+  std::vector<Sphere<D>> balls;
+  for (const std::uint32_t vertex : lining) balls.push_back(ball(vertex));
+  InscribedBall<D> largest{{}, -1.0};
+  for (const SimplexId cell : result.cells) {
+    Corners corners;
+    const auto vertices = filtration_.vertices(cell);
+    for (std::size_t i = 0; i <= D; ++i) corners[i] = ball(vertices[i].row());
+    const InscribedBall<D> found = inscribed_ball<D>(corners, balls);
+    if (found.radius > largest.radius) largest = found;
+  }
+  if (largest.radius < 0.0) return;
+  const InputUnits lengths = units(1);
+  result.largest_ball_radius = lengths({largest.radius, 0.0});
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    result.largest_ball_centre[axis] = lengths({largest.centre[axis], 0.0});
+  }
+}
+
+}  // namespace
+
+template <int D>
+std::vector<Void<D>> voids(const Filtration<D>& filtration, std::uint32_t index, double alpha2,
+                           VoidsOf of, Threads threads) {
+  if (index > filtration.spectrum_size()) {
+    throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
+                     "index " + std::to_string(index) + " is beyond the spectrum, which has " +
+                         std::to_string(filtration.spectrum_size()) + " entries");
+  }
+  if (filtration.triangulation().affine_dimension() < D) return {};
+  const std::vector<Component> components = Complement<D>(filtration, index).voids();
+  if (components.empty()) return {};
+  const VoidMeasures<D> measures(filtration, index, alpha2, of);
+  std::vector<Void<D>> result(components.size());
+  parallel_for(threads, components.size(),
+               [&](std::size_t i) { result[i] = measures.measured(components[i]); });
+  std::stable_sort(result.begin(), result.end(), [](const Void<D>& a, const Void<D>& b) {
+    if (a.volume != b.volume) return a.volume > b.volume;
+    const auto first = [](const Void<D>& one) {
+      return one.lining.empty() ? SiteId() : one.lining[0].row;
+    };
+    return first(a) < first(b);
+  });
+  return result;
+}
+
+template std::vector<Void<2>> voids<2>(const Filtration<2>&, std::uint32_t, double, VoidsOf,
+                                       Threads);
+template std::vector<Void<3>> voids<3>(const Filtration<3>&, std::uint32_t, double, VoidsOf,
+                                       Threads);
+
+}  // namespace orthoball
