@@ -53,12 +53,13 @@ bool turn_on(std::span<const CellRecord<3>> cells, Turn turn, const Visit& visit
 
 // The third vertices of the triangles around an edge, counterclockwise about it; those of the hull
 // first and last where it is on the hull.
-void look_around(const Filtration<3>& filtration, std::uint32_t index, SimplexId edge,
-                 std::array<std::uint32_t, 2> ends, std::vector<ApexOfEdge>& room) {
+template <class IsIn>
+void look_around(const Filtration<3>& filtration, SimplexId edge, bool is_interior,
+                 std::array<std::uint32_t, 2> ends, const IsIn& is_in,
+                 std::vector<ApexOfEdge>& room) {
   room.clear();
   const SimplexTable<3>& table = filtration.table();
   const auto cells = filtration.triangulation().cells<3>();
-  const auto is_in = [&](SimplexId simplex) { return filtration.enters(simplex) <= index; };
   if (cells.empty()) {
     if (filtration.triangulation().affine_dimension() != 2) return;
     for (const SimplexId triangle : filtration.cells_beside(edge)) {
@@ -75,7 +76,6 @@ void look_around(const Filtration<3>& filtration, std::uint32_t index, SimplexId
   Turn start{owner / 6, turn[2], turn[3]};
   if (cells[start.cell].corners[turn[0]] != ends[0]) std::swap(start.behind, start.ahead);
 
-  const bool is_interior = filtration.interior(edge) <= index;
   const auto cell_is_in = [&](std::uint32_t cell) {
     return is_interior || is_in(SimplexId(table.first(3) + cell));
   };
@@ -115,6 +115,16 @@ ContactFacets<D>::ContactFacets(const Filtration<D>& filtration, std::uint32_t i
     sphere.radius = std::sqrt(std::max(0.0, site.weight + alpha2));
     spheres_[vertex] = sphere;
   }
+  const std::span<const std::uint32_t> enters = filtration.enters();
+  is_in_complex_.resize(enters.size() / 64 + 1);
+  for (std::size_t word = 0; word < is_in_complex_.size(); ++word) {
+    const std::size_t first = 64 * word, size = std::min<std::size_t>(64, enters.size() - first);
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      bits |= std::uint64_t{enters[first + i] <= index} << i;
+    }
+    is_in_complex_[word] = bits;
+  }
 }
 
 namespace {
@@ -150,6 +160,7 @@ class EdgeInSpace {
     facet.lens = frame_.lens();
     const std::span<const ApexOfEdge> around = room_.around;
     const std::size_t size = around.size();
+    make_room(kAnglesPerApex * size + kSums);
     Beyond next = size > 0 && around[0].is_in ? beyond(around[0]) : Beyond{};
     const Beyond first = next;
     InLens corner;  // of the facet, at the end of the last line that has been met
@@ -189,11 +200,19 @@ class EdgeInSpace {
   [[nodiscard]] Beyond beyond(const ApexOfEdge& apex) const {
     return frame_.beyond(spheres_[apex.vertex]);
   }
+  static constexpr std::size_t kAnglesPerApex = 4;
+  void make_room(std::size_t angles) {
+    const std::size_t size = room_.angle_count + angles;
+    if (size <= room_.x.size()) return;
+    for (auto* list : {&room_.x, &room_.y, &room_.times, &room_.angles}) list->resize(2 * size);
+    room_.added_to.resize(2 * size);
+  }
   void ask(std::uint32_t sum, HalfPlane angle, double times) {
-    room_.x.push_back(angle.x);
-    room_.y.push_back(angle.y);
-    room_.times.push_back(times);
-    room_.added_to.push_back(first_sum_ + sum);
+    const std::size_t place = room_.angle_count++;
+    room_.x[place] = angle.x;
+    room_.y[place] = angle.y;
+    room_.times[place] = times;
+    room_.added_to[place] = first_sum_ + sum;
   }
 
   // A triangle with one exposed side, or two: there the facet has corners on the circle.
@@ -240,17 +259,19 @@ template <>
 void ContactFacets<3>::measure(std::span<const SimplexId> edges, std::span<ContactFacet<3>> out,
                                Room& room) const {
   constexpr double kAll = 2 * std::numbers::pi;
-  for (auto* list : {&room.x, &room.y, &room.times}) list->clear();
-  room.added_to.clear();
+  const auto is_in_complex = [&](SimplexId simplex) { return is_in(simplex); };
+  room.angle_count = 0;
   for (std::uint32_t i = 0; i < edges.size(); ++i) {
     const auto ends = face_vertices<2>(*filtration_, edges[i]);
-    look_around(*filtration_, index_, edges[i], ends, room.around);
-    EdgeInSpace(spheres_, ends, is_interior(edges[i]), i, room).look_at(out[i]);
+    const bool is_inside = is_interior(edges[i]);
+    look_around(*filtration_, edges[i], is_inside, ends, is_in_complex, room.around);
+    EdgeInSpace(spheres_, ends, is_inside, i, room).look_at(out[i]);
   }
-  room.angles.resize(room.x.size());
-  angles_from_x_axis(room.x, room.y, room.angles);
+  const std::size_t angles = room.angle_count;
+  angles_from_x_axis(std::span(room.x).first(angles), std::span(room.y).first(angles),
+                     std::span(room.angles).first(angles));
   room.sums.assign(kSums * edges.size(), 0.0);
-  for (std::size_t i = 0; i < room.angles.size(); ++i) {
+  for (std::size_t i = 0; i < angles; ++i) {
     room.sums[room.added_to[i]] += room.times[i] * room.angles[i];
   }
   for (std::size_t i = 0; i < edges.size(); ++i) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "orthoball/filtration/bit_run.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/measures/lens.h"
 #include "orthoball/raw_vector.h"
@@ -43,7 +44,7 @@ struct ApexOfEdge {
 /// The contact facets of the union of balls that is dual to one alpha complex, each on demand.
 ///
 /// Lengths are those of Sites. Refers to the filtration; immutable; any number of threads may use
-/// it. 40 bytes a vertex in space.
+/// it. 40 bytes a vertex in space and a bit a simplex.
 template <int D>
 class ContactFacets {
  public:
@@ -55,10 +56,11 @@ class ContactFacets {
 
   /// Room for the work on many edges, to be kept from call to call.
   struct Room {
-    std::vector<ApexOfEdge> around;  // the edge at hand
-    // Angles to be computed, and what each is to be added to, how often: [what of the edge].
-    std::vector<double> x, y, angles, times;
-    std::vector<std::uint32_t> added_to;
+    std::vector<ApexOfEdge> around;  ///< the edge at hand
+    // Angles to be computed: of these vectors, to be added so often to these sums.
+    RawVector<double> x, y, times, angles;  ///< [angle]
+    RawVector<std::uint32_t> added_to;      ///< [angle]
+    std::size_t angle_count = 0;
     std::vector<double> sums;
   };
   /// The facets of edges of the complex: out[i] is that of edges[i]. A few hundred at once are
@@ -67,7 +69,7 @@ class ContactFacets {
 
  private:
   [[nodiscard]] bool is_in(SimplexId simplex) const {
-    return filtration_->enters(simplex) <= index_;
+    return bit_at(is_in_complex_.data(), simplex.row());
   }
   [[nodiscard]] bool is_interior(SimplexId simplex) const {
     return filtration_->interior(simplex) <= index_;
@@ -77,6 +79,7 @@ class ContactFacets {
   const Filtration<D>* filtration_;
   std::uint32_t index_;
   RawVector<Sphere<D>> spheres_;
+  RawVector<std::uint64_t> is_in_complex_;  // bit per simplex: all that is read of most of them
 };
 
 template <>
