@@ -32,6 +32,7 @@
 #include "orthoball/signatures/notable_alphas.h"
 #include "orthoball/signatures/signature.h"
 // queries
+#include "orthoball/queries/pockets.h"
 #include "orthoball/queries/voids.h"
 // output
 #include "orthoball/output/byte_sink.h"

@@ -3,7 +3,8 @@
 // Voids are components of the cells outside the complex, joined through facets outside it; the
 // outside is one more node. When they are born is found by going back: facets are taken away, the
 // last to enter first, and of two components that one joins, the one that is filled first ends,
-// which is to say begins there. Measures are sums over the cells of a void (cell_gap.h).
+// which is to say begins there. Measures are sums over the cells of a void
+// (free_space.h).
 //
 // Delfinado, Edelsbrunner. An incremental algorithm for Betti numbers of simplicial complexes.
 // Computer Aided Geometric Design 12 (1995). Liang, Edelsbrunner, Fu, Sudhakar, Subramaniam.
@@ -11,18 +12,15 @@
 #include "orthoball/queries/voids.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
 
 #include "orthoball/error.h"
-#include "orthoball/filtration/edge_ring.h"
 #include "orthoball/measures/cell_gap.h"
 #include "orthoball/measures/compensated_sum.h"
-#include "orthoball/measures/contact_facets.h"
-#include "orthoball/measures/input_units.h"
 #include "orthoball/queries/inscribed_ball.h"
 #include "orthoball/topology/union_find.h"
 
@@ -129,12 +127,7 @@ template <int D>
 class VoidMeasures {
  public:
   VoidMeasures(const Filtration<D>& filtration, std::uint32_t index, double alpha2, VoidsOf of)
-      : filtration_(filtration),
-        sites_(filtration.triangulation().sites()),
-        balls_(filtration, index,
-               from_input_units(alpha2, 2, sites_.scale_exponent(), sites_.decimals())),
-        index_(index),
-        of_(of) {}
+      : filtration_(filtration), free_(filtration, index, alpha2), of_(of) {}
 
   Void<D> measured(const Component& component) const {
     Void<D> result;
@@ -144,126 +137,69 @@ class VoidMeasures {
     result.born_alpha2 = filtration_.alpha2(result.born);
     result.dies_alpha2 = filtration_.alpha2(result.dies);
     for (const std::uint32_t cell : component.cells) result.cells.emplace_back(first + cell);
-    of_ == VoidsOf::balls ? measure_balls(result) : measure_shape(result);
-    std::sort(result.lining.begin(), result.lining.end(),
-              [](const LiningBall& a, const LiningBall& b) { return a.row < b.row; });
+    FreePart part = of_ == VoidsOf::balls ? free_.part(result.cells) : polyhedron(result.cells);
+    result.volume = std::max(0.0, part.volume);
+    result.area = part.area;
+    result.lining = std::move(part.lining);
+    find_largest_ball(result);
     return result;
   }
 
  private:
-  using Corners = std::array<Sphere<D>, std::size_t{D} + 1>;
-
-  [[nodiscard]] bool is_in(SimplexId simplex) const {
-    return filtration_.enters(simplex) <= index_;
+  [[nodiscard]] FreePart polyhedron(std::span<const SimplexId> cells) const;
+  void find_largest_ball(Void<D>& result) const;
+  [[nodiscard]] Sphere<D> ball(VertexId vertex) const {
+    return of_ == VoidsOf::balls ? free_.ball(vertex) : Sphere<D>{free_.ball(vertex).x, 0.0, 0.0};
   }
-  [[nodiscard]] InputUnits units(int power) const {
-    return {power, sites_.scale_exponent(), sites_.decimals(), 1};
-  }
-  [[nodiscard]] Sphere<D> ball(std::uint32_t vertex) const {
-    Sphere<D> sphere = balls_.spheres()[vertex];
-    if (of_ == VoidsOf::shape) sphere.radius = sphere.weight = 0.0;
-    return sphere;
-  }
-  [[nodiscard]] FacesInComplex faces_in_complex(SimplexId cell) const;
-  void measure_balls(Void<D>& result) const;
-  void measure_shape(Void<D>& result) const;
-  void find_largest_ball(Void<D>& result, std::span<const std::uint32_t> lining) const;
 
   const Filtration<D>& filtration_;
-  const Sites<D>& sites_;
-  ContactFacets<D> balls_;
-  std::uint32_t index_;
+  FreeSpace<D> free_;
   VoidsOf of_;
 };
 
+// The cells themselves, and their facets in the complex.
 template <int D>
-FacesInComplex VoidMeasures<D>::faces_in_complex(SimplexId cell) const {
-  FacesInComplex faces;
-  const auto facets = filtration_.facets(cell);
-  for (std::uint32_t i = 0; i < facets.size(); ++i) {
-    if (is_in(facets[i])) faces.facets |= 1U << i;
-  }
-  if constexpr (D == 3) {
-    for (std::uint32_t i = 0; i < 3; ++i) {  // the edges of three triangles are all
-      const auto edges = filtration_.facets(facets[i]);
-      for (std::uint32_t k = 0; k < 3; ++k) {  // edge k leaves out corner k of the triangle
-        const std::uint32_t left_out = k < i ? k : k + 1;
-        if (is_in(edges[k])) faces.edges |= 1U << (5U - kEdgeSlot[i][left_out]);
+FreePart VoidMeasures<D>::polyhedron(std::span<const SimplexId> cells) const {
+  std::set<SiteId> rows;
+  CompensatedSum volume, area;
+  for (const SimplexId cell : cells) {
+    const auto corners = free_.corners(cell);
+    volume.add(cell_gap(corners, {}).volume);
+    const auto facets = filtration_.facets(cell);
+    const auto vertices = filtration_.vertices(cell);
+    for (std::size_t i = 0; i <= D; ++i) {
+      if (free_.is_in(facets[i])) area.add(facet_size(corners, i));
+      if (free_.is_in(SimplexId(vertices[i].row()))) {
+        rows.insert(filtration_.triangulation().sites().row(vertices[i].row()));
       }
     }
   }
-  return faces;
+  FreePart part{free_.units(D)(volume.value()), free_.units(D - 1)(area.value()), {}};
+  for (const SiteId row : rows) part.lining.push_back({row, 0.0});
+  return part;
 }
 
 template <int D>
-void VoidMeasures<D>::measure_balls(Void<D>& result) const {
-  std::map<std::uint32_t, double> exposed;  // [vertex]: of its sphere, as an angle
-  CompensatedSum volume, area;
+void VoidMeasures<D>::find_largest_ball(Void<D>& result) const {
+  std::set<VertexId> vertices;
   for (const SimplexId cell : result.cells) {
-    const auto vertices = filtration_.vertices(cell);
-    Corners corners;
-    for (std::size_t i = 0; i <= D; ++i) corners[i] = ball(vertices[i].row());
-    const CellGap<D> gap = cell_gap(corners, faces_in_complex(cell));
-    volume.add(gap.volume);
-    for (std::size_t i = 0; i <= D; ++i) {
-      if (is_in(SimplexId(vertices[i].row()))) exposed[vertices[i].row()] += gap.exposed[i];
+    for (const VertexId vertex : filtration_.vertices(cell)) {
+      if (free_.is_in(SimplexId(vertex.row()))) vertices.insert(vertex);
     }
   }
-  std::vector<std::uint32_t> lining;
-  for (const auto& [vertex, angle] : exposed) {
-    const double r = ball(vertex).radius;
-    const double own = std::max(0.0, angle) * (D == 3 ? r * r : r);
-    volume.add(-own * r / D);
-    area.add(own);
-    lining.push_back(vertex);
-    result.lining.push_back({sites_.row(vertex), units(D - 1)({own, 0.0})});
-  }
-  result.volume = std::max(0.0, units(D)(volume.value()));
-  result.area = units(D - 1)(area.value());
-  find_largest_ball(result, lining);
-}
-
-template <int D>
-void VoidMeasures<D>::measure_shape(Void<D>& result) const {
-  std::map<std::uint32_t, bool> around;
-  CompensatedSum volume, area;
-  for (const SimplexId cell : result.cells) {
-    const auto vertices = filtration_.vertices(cell);
-    Corners corners;
-    for (std::size_t i = 0; i <= D; ++i) corners[i] = ball(vertices[i].row());
-    volume.add(cell_gap(corners, {}).volume);
-    const auto facets = filtration_.facets(cell);
-    for (std::size_t i = 0; i <= D; ++i) {
-      if (is_in(facets[i])) area.add(facet_size(corners, i));
-      if (is_in(SimplexId(vertices[i].row()))) around[vertices[i].row()] = true;
-    }
-  }
-  std::vector<std::uint32_t> lining;
-  for (const auto& [vertex, is_around] : around) {
-    lining.push_back(vertex);
-    result.lining.push_back({sites_.row(vertex), 0.0});
-  }
-  result.volume = units(D)(volume.value());
-  result.area = units(D - 1)(area.value());
-  find_largest_ball(result, lining);
-}
-
-template <int D>
-void VoidMeasures<D>::find_largest_ball(Void<D>& result,
-                                        std::span<const std::uint32_t> lining) const {
-  if (lining.size() <= D) return;
+  if (vertices.size() <= D) return;
   std::vector<Sphere<D>> balls;
-  for (const std::uint32_t vertex : lining) balls.push_back(ball(vertex));
+  for (const VertexId vertex : vertices) balls.push_back(ball(vertex));
   InscribedBall<D> largest{{}, -1.0};
   for (const SimplexId cell : result.cells) {
-    Corners corners;
-    const auto vertices = filtration_.vertices(cell);
-    for (std::size_t i = 0; i <= D; ++i) corners[i] = ball(vertices[i].row());
+    typename FreeSpace<D>::Corners corners;
+    const auto of_cell = filtration_.vertices(cell);
+    for (std::size_t i = 0; i <= D; ++i) corners[i] = ball(of_cell[i]);
     const InscribedBall<D> found = inscribed_ball<D>(corners, balls);
     if (found.radius > largest.radius) largest = found;
   }
   if (largest.radius < 0.0) return;
-  const InputUnits lengths = units(1);
+  const InputUnits lengths = free_.units(1);
   result.largest_ball_radius = lengths({largest.radius, 0.0});
   for (std::size_t axis = 0; axis < D; ++axis) {
     result.largest_ball_centre[axis] = lengths({largest.centre[axis], 0.0});

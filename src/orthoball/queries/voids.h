@@ -9,14 +9,9 @@
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/ids.h"
 #include "orthoball/parallel.h"
+#include "orthoball/queries/free_space.h"
 
 namespace orthoball {
-
-/// A ball at a void, and how much of its surface the void has. In the plane its arc.
-struct LiningBall {
-  SiteId row;
-  double area = 0.0;  ///< length^(D-1)
-};
 
 /// A bounded component of the complement of a union of balls, or of an alpha shape; in the plane a
 /// hole. In input units.

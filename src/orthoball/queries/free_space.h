@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "orthoball/filtration/filtration.h"
+#include "orthoball/ids.h"
+#include "orthoball/measures/cell_gap.h"
+#include "orthoball/measures/contact_facets.h"
+#include "orthoball/measures/input_units.h"
+
+namespace orthoball {
+
+/// A ball at a void or pocket, and how much of its surface that has. In the plane its arc.
+struct LiningBall {
+  SiteId row;
+  double area = 0.0;  ///< length^(D-1)
+};
+
+/// What a union of balls leaves free of some cells, in input units.
+struct FreePart {
+  double volume = 0.0;             ///< length^D
+  double area = 0.0;               ///< of the balls, there; length^(D-1)
+  std::vector<LiningBall> lining;  ///< the corners of the cells that are in the complex, by row
+};
+
+/// Measures what the union of balls that is dual to one alpha complex leaves free, in sets of cells
+/// outside the complex.
+///
+/// Volume and area are sums over the cells, as those of UnionOfBalls are over the complex: exact
+/// where no piece of the union reaches from cells of the set into others, as in voids.
+/// Refers to the filtration. Immutable; any number of threads may use it.
+template <int D>
+class FreeSpace {
+ public:
+  using Corners = std::array<Sphere<D>, std::size_t{D} + 1>;
+
+  /// @param alpha2  length^2 in input units.
+  FreeSpace(const Filtration<D>& filtration, std::uint32_t index, double alpha2);
+
+  /// Of cells outside the complex. Error: a few 2^-53 of their volume and of the balls' areas.
+  [[nodiscard]] FreePart part(std::span<const SimplexId> cells) const;
+  /// Of a facet of such cells that is outside the complex: its area less that in the balls, by the
+  /// same sum; length^(D-1).
+  [[nodiscard]] double part_of_facet(SimplexId facet) const;
+
+  /// In the units of Sites: the balls at the corners of a cell, by vertex.
+  [[nodiscard]] Corners corners(SimplexId cell) const;
+  [[nodiscard]] const Sphere<D>& ball(VertexId vertex) const {
+    return balls_.spheres()[vertex.row()];
+  }
+  /// From the units of Sites. @param power  1 for lengths, 2 for areas, 3 for volumes.
+  [[nodiscard]] InputUnits units(int power) const;
+  /// Whether a simplex is in the complex.
+  [[nodiscard]] bool is_in(SimplexId simplex) const {
+    return filtration_->enters(simplex) <= index_;
+  }
+
+ private:
+  [[nodiscard]] FacesInComplex faces_in_complex(SimplexId cell) const;
+
+  const Filtration<D>* filtration_;
+  std::uint32_t index_;
+  ContactFacets<D> balls_;
+};
+
+template <>
+double FreeSpace<2>::part_of_facet(SimplexId facet) const;
+template <>
+double FreeSpace<3>::part_of_facet(SimplexId facet) const;
+
+extern template class FreeSpace<2>;  // defined in free_space.cpp
+extern template class FreeSpace<3>;
+
+}  // namespace orthoball
