@@ -10,6 +10,7 @@
 // Edelsbrunner. The union of balls and its dual shape. Discrete & Computational Geometry 13 (1995).
 #include "orthoball/measures/ball_overlaps.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -84,19 +85,25 @@ struct Disk {
   double dihedral = 0.0;  // of the tetrahedron at the two centres
 };
 
-Disk disk_inside(const LensFrame& frame, std::span<const Beyond> others) {
+// What meets the disk beyond a line.
+struct Other {
+  Beyond beyond;
+  Chord chord;
+};
+
+Disk disk_inside(const LensFrame& frame, std::span<const Other> others) {
   const double circle2 = frame.lens().radius2;
   Disk disk;
   if (others.size() == 1) {
-    const Chord chord = frame.chord(others[0]);
+    const Chord& chord = others[0].chord;
     disk.angle = 2 * angle(chord.half_angle());
     disk.area = (circle2 * disk.angle - chord.height * 2 * chord.half) / 2;
     return disk;
   }
   if (others.size() == 2) {
-    const bool turns = cross(others[0].apex, others[1].apex) < 0.0;
-    const Beyond &behind = others[turns ? 1 : 0], &ahead = others[turns ? 0 : 1];
-    const Chord a = frame.chord(behind), b = frame.chord(ahead);
+    const bool turns = cross(others[0].beyond.apex, others[1].beyond.apex) < 0.0;
+    const Beyond &behind = others[turns ? 1 : 0].beyond, &ahead = others[turns ? 0 : 1].beyond;
+    const Chord &a = others[turns ? 1 : 0].chord, &b = others[turns ? 0 : 1].chord;
     disk.dihedral = angle(angle_between(behind.apex, ahead.apex));
     disk.angle = std::max(0.0, angle(a.half_angle()) + angle(b.half_angle()) - disk.dihedral);
     const InLens meeting = frame.crossing(behind, ahead);
@@ -117,14 +124,19 @@ BallOverlap<3> overlap(const Spheres<3>& spheres, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i + 1; j < count; ++j) {
       const LensFrame frame(spheres[i], spheres[j]);
-      std::array<Beyond, 2> beyond;
+      std::array<Other, 2> other;
       std::size_t others = 0;
       for (std::size_t k = 0; k < count; ++k) {
         if (k == i || k == j) continue;
-        beyond[others] = frame.beyond(spheres[k]);
-        solid.tell(frame, frame.chord(beyond[others++]), spheres, i, j, k);
+        std::array<std::size_t, 3> order{i, j, k};
+        std::sort(order.begin(), order.end());
+        const Beyond beyond = frame.beyond(spheres[k]);
+        const Chord chord = frame.chord(
+            beyond, meeting_height(spheres[order[0]], spheres[order[1]], spheres[order[2]]));
+        other[others++] = {beyond, chord};
+        solid.tell(frame, chord, spheres, i, j, k);
       }
-      const Disk disk = disk_inside(frame, std::span(beyond).first(others));
+      const Disk disk = disk_inside(frame, std::span(other).first(others));
       result.arcs[i][j] = result.arcs[j][i] = frame.lens().radius * disk.angle;
       for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
         const std::size_t ball = end == 0 ? i : j;

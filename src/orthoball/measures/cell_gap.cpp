@@ -6,6 +6,8 @@
 // double cone.
 #include "orthoball/measures/cell_gap.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "orthoball/filtration/edge_ring.h"
@@ -65,7 +67,10 @@ CellGap<3> cell_gap(const std::array<Sphere<3>, 4>& corners, FacesInComplex face
     for (std::size_t k = 0; k < 2; ++k) {
       const std::size_t third = others[k];
       if ((faces.facets >> others[1 - k] & 1U) == 0) continue;
-      const Chord chord = frame.chord(beyond[k]);
+      std::array<std::size_t, 3> order{ends[0], ends[1], third};
+      std::sort(order.begin(), order.end());
+      const Chord chord = frame.chord(
+          beyond[k], meeting_height(corners[order[0]], corners[order[1]], corners[order[2]]));
       wedge -= angle(chord.half_angle());
       // Each of the facet's edges tells a third of the simplex over it, and at each end the edge
       // with the smaller circle tells the solid angle.
@@ -85,8 +90,8 @@ CellGap<3> cell_gap(const std::array<Sphere<3>, 4>& corners, FacesInComplex face
       if (r > 0.0) gap.exposed[ends[end]] -= (r - frame.lens().height[end]) / r * wedge;
     }
   }
-  for (double& exposed : gap.exposed)
-    exposed -= std::numbers::pi;  // three dihedrals to a solid one
+  // Three dihedral angles less pi are a solid one.
+  for (double& exposed : gap.exposed) exposed -= std::numbers::pi;
   return gap;
 }
 
@@ -97,7 +102,8 @@ double facet_size(const std::array<Sphere<2>, 3>& corners, std::size_t opposite)
 double facet_size(const std::array<Sphere<3>, 4>& corners, std::size_t opposite) {
   const std::size_t i = (opposite + 1) % 4, j = (opposite + 2) % 4, k = (opposite + 3) % 4;
   const LensFrame frame(corners[i], corners[j]);
-  return frame.lens().distance * frame.chord(frame.beyond(corners[k])).apex_distance / 2;
+  const InLens apex = frame.beyond(corners[k]).apex;
+  return frame.lens().distance * std::sqrt(dot(apex, apex)) / 2;
 }
 
 }  // namespace orthoball

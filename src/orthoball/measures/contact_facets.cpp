@@ -65,7 +65,7 @@ void look_around(const Filtration<3>& filtration, SimplexId edge, bool is_interi
     for (const SimplexId triangle : filtration.cells_beside(edge)) {
       for (const VertexId vertex : filtration.vertices(triangle)) {
         if (vertex.row() != ends[0] && vertex.row() != ends[1]) {
-          room.push_back({vertex.row(), is_in(triangle), false});
+          room.push_back({vertex.row(), is_in(triangle), false, triangle.row() - table.first(2)});
         }
       }
     }
@@ -79,15 +79,18 @@ void look_around(const Filtration<3>& filtration, SimplexId edge, bool is_interi
   const auto cell_is_in = [&](std::uint32_t cell) {
     return is_interior || is_in(SimplexId(table.first(3) + cell));
   };
-  const auto triangle_is_in = [&](std::uint32_t cell, unsigned left_out) {
-    return is_in(SimplexId(table.first(2) + table.facet_of_cell(cells, cell, left_out)));
+  const auto apex_of = [&](std::uint32_t vertex, bool before, bool after, std::uint32_t cell,
+                           unsigned left_out) {
+    if (before && after) return ApexOfEdge{vertex, true, true, 0};
+    const std::uint32_t facet = table.facet_of_cell(cells, cell, left_out);
+    return ApexOfEdge{vertex, before || after || is_in(SimplexId(table.first(2) + facet)), after,
+                      facet};
   };
   Turn last = start;
   const auto push = [&](const Turn& at) {
     const bool before = !room.empty() && room.back().cell_is_in;
     const bool after = cell_is_in(at.cell);
-    room.push_back({cells[at.cell].corners[at.behind],
-                    before || after || triangle_is_in(at.cell, at.ahead), after});
+    room.push_back(apex_of(cells[at.cell].corners[at.behind], before, after, at.cell, at.ahead));
     last = at;
   };
   if (turn_on(cells, start, push)) return;
@@ -96,14 +99,15 @@ void look_around(const Filtration<3>& filtration, SimplexId edge, bool is_interi
   turn_on(cells, Turn{start.cell, start.ahead, start.behind}, [&](const Turn& at) { last = at; });
   start = {last.cell, last.ahead, last.behind};
   turn_on(cells, start, push);
-  room.push_back({cells[last.cell].corners[last.ahead],
-                  room.back().cell_is_in || triangle_is_in(last.cell, last.behind), false});
+  room.push_back(apex_of(cells[last.cell].corners[last.ahead], room.back().cell_is_in, false,
+                         last.cell, last.behind));
 }
 
 }  // namespace
 
 template <int D>
-ContactFacets<D>::ContactFacets(const Filtration<D>& filtration, std::uint32_t index, double alpha2)
+ContactFacets<D>::ContactFacets(const Filtration<D>& filtration, std::uint32_t index, double alpha2,
+                                Threads threads)
     : filtration_(&filtration), index_(index) {
   const Sites<D>& sites = filtration.triangulation().sites();
   spheres_.resize(sites.size());
@@ -125,6 +129,28 @@ ContactFacets<D>::ContactFacets(const Filtration<D>& filtration, std::uint32_t i
     }
     is_in_complex_[word] = bits;
   }
+  find_heights(threads);
+}
+
+template <>
+void ContactFacets<2>::find_heights(Threads /*threads*/) {}
+
+template <>
+void ContactFacets<3>::find_heights(Threads threads) {
+  constexpr std::size_t kPart = std::size_t{1} << 13U;
+  const std::uint32_t first = filtration_->table().first(2);
+  const std::size_t triangles = filtration_->count(2);
+  heights_.resize(triangles);
+  parallel_parts(threads, triangles, triangles / kPart + 1,
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) {
+                     const SimplexId triangle(first + static_cast<std::uint32_t>(i));
+                     if (!is_in(triangle) || is_interior(triangle)) continue;
+                     const auto corners = face_vertices<3>(*filtration_, triangle);
+                     heights_[i] = meeting_height(spheres_[corners[0]], spheres_[corners[1]],
+                                                  spheres_[corners[2]]);
+                   }
+                 });
 }
 
 namespace {
@@ -143,9 +169,11 @@ class EdgeInSpace {
  public:
   using Room = ContactFacets<3>::Room;
 
-  EdgeInSpace(std::span<const Sphere<3>> spheres, const std::array<std::uint32_t, 2>& ends,
-              bool is_interior, std::uint32_t number, Room& room)
+  EdgeInSpace(std::span<const Sphere<3>> spheres, std::span<const double> heights,
+              const std::array<std::uint32_t, 2>& ends, bool is_interior, std::uint32_t number,
+              Room& room)
       : spheres_(spheres),
+        heights_(heights),
         ends_(ends),
         room_(room),
         first_sum_(kSums * number),
@@ -181,7 +209,9 @@ class EdgeInSpace {
           if (!is_interior_) ask(kInside, angle_between(here.apex, next.apex), 1.0);
         }
         if (!follows_cell || !apex.cell_is_in) {
-          expose(here, apex, follows_cell, apex.cell_is_in, corner, end);
+          const Chord chord = frame_.chord(here, heights_[apex.facet]);
+          const double sides = expose(chord, apex, follows_cell, corner, end);
+          facet.pieces += sides * facet.lens.distance * chord.apex_distance * chord.half / 18;
         }
         facet.area += cross(corner, end) / 2;
         corner = end;
@@ -215,10 +245,10 @@ class EdgeInSpace {
     room_.added_to[place] = first_sum_ + sum;
   }
 
-  // A triangle with one exposed side, or two: there the facet has corners on the circle.
-  void expose(const Beyond& here, const ApexOfEdge& apex, bool follows_cell, bool precedes_cell,
-              InLens& begin, InLens& end) {
-    const Chord chord = frame_.chord(here);
+  // A triangle with one exposed side, or two, which it returns: there the facet has corners on the
+  // circle.
+  double expose(const Chord& chord, const ApexOfEdge& apex, bool follows_cell, InLens& begin,
+                InLens& end) {
     const auto corner_at = [&](double side) {
       const InLens corner = chord.end(side);
       moment_.x -= side * corner.y;
@@ -226,8 +256,8 @@ class EdgeInSpace {
       return corner;
     };
     if (!follows_cell) begin = corner_at(-1.0);
-    if (!precedes_cell) end = corner_at(1.0);
-    const double sides = (follows_cell ? 0.0 : 1.0) + (precedes_cell ? 0.0 : 1.0);
+    if (!apex.cell_is_in) end = corner_at(1.0);
+    const double sides = (follows_cell ? 0.0 : 1.0) + (apex.cell_is_in ? 0.0 : 1.0);
     ask(kBeside, chord.half_angle(), sides);
     // At each end two edges of the triangle could tell the solid angle: that with the smaller
     // circle does it best.
@@ -240,9 +270,11 @@ class EdgeInSpace {
         ask(kTaken + i, frame_.half_solid_angle(chord, i, centre.radius), 2 * sides);
       }
     }
+    return sides;
   }
 
   std::span<const Sphere<3>> spheres_;
+  std::span<const double> heights_;  // [triangle]
   std::array<std::uint32_t, 2> ends_;
   Room& room_;
   std::uint32_t first_sum_;
@@ -265,7 +297,7 @@ void ContactFacets<3>::measure(std::span<const SimplexId> edges, std::span<Conta
     const auto ends = face_vertices<2>(*filtration_, edges[i]);
     const bool is_inside = is_interior(edges[i]);
     look_around(*filtration_, edges[i], is_inside, ends, is_in_complex, room.around);
-    EdgeInSpace(spheres_, ends, is_inside, i, room).look_at(out[i]);
+    EdgeInSpace(spheres_, heights_, ends, is_inside, i, room).look_at(out[i]);
   }
   const std::size_t angles = room.angle_count;
   angles_from_x_axis(std::span(room.x).first(angles), std::span(room.y).first(angles),
@@ -282,6 +314,7 @@ void ContactFacets<3>::measure(std::span<const SimplexId> edges, std::span<Conta
     facet.exposed = is_inside ? 0.0 : std::max(0.0, kAll - inside - sums[kBeside]);
     facet.bend = is_inside ? 0.0 : std::numbers::pi - sums[kOpening] - sums[kOpening + 1];
     facet.area = std::max(0.0, facet.area + facet.lens.radius2 * facet.exposed / 2);
+    facet.pieces += facet.lens.distance * facet.lens.radius2 * facet.exposed / 6;
     for (std::size_t end = 0; end < 2; ++end) {
       const double r = spheres_[facet.ends[end]].radius;
       facet.taken[end] += inside + sums[kTaken + end];
@@ -318,6 +351,7 @@ ContactFacet<2> ContactFacets<2>::in_plane(SimplexId edge) const {
     }
   }
   facet.area = std::max(0.0, length);
+  facet.pieces = facet.exposed * facet.lens.distance * facet.lens.radius / 2;
   facet.moment = {-axis[1] * across, axis[0] * across};
   const std::array<double, 2> opening{angle(facet.lens.opening(0)), angle(facet.lens.opening(1))};
   facet.bend = std::numbers::pi - opening[0] - opening[1];

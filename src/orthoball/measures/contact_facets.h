@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +11,7 @@
 #include "orthoball/filtration/bit_run.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/measures/lens.h"
+#include "orthoball/parallel.h"
 #include "orthoball/raw_vector.h"
 
 namespace orthoball {
@@ -29,6 +31,9 @@ struct ContactFacet {
   /// steradians or radians. The exposed part of a sphere is what the edges at a centre leave of 4
   /// pi or 2 pi.
   std::array<double, 2> taken{};
+  /// Of the pieces of the union around the edge: the wedges at exposed arcs, and a third of each
+  /// tetrahedron over an exposed triangle; in the plane the triangles to the exposed points.
+  double pieces = 0.0;
   /// Over the exposed arcs, the integral of the point seen from the circle's centre by the angle;
   /// in the plane the sum of the points seen from their middle.
   std::array<double, std::size_t{D}> moment{};
@@ -39,17 +44,19 @@ struct ApexOfEdge {
   std::uint32_t vertex = 0;  ///< the triangle's third
   bool is_in = false;        ///< the triangle is in the complex
   bool cell_is_in = false;   ///< as is the cell between it and the next one
+  std::uint32_t facet = 0;   ///< the triangle, counted from the first; where a side is exposed
 };
 
 /// The contact facets of the union of balls that is dual to one alpha complex, each on demand.
 ///
 /// Lengths are those of Sites. Refers to the filtration; immutable; any number of threads may use
-/// it. 40 bytes a vertex in space and a bit a simplex.
+/// it. 40 bytes a vertex, 8 a triangle in space and a bit a simplex.
 template <int D>
 class ContactFacets {
  public:
   /// @param alpha2  added to the weights, in the unit of Sites.
-  ContactFacets(const Filtration<D>& filtration, std::uint32_t index, double alpha2);
+  ContactFacets(const Filtration<D>& filtration, std::uint32_t index, double alpha2,
+                Threads threads = Threads(1));
 
   /// [vertex]: the balls; radius 0 for those that are empty.
   [[nodiscard]] std::span<const Sphere<D>> spheres() const { return spheres_; }
@@ -74,14 +81,43 @@ class ContactFacets {
   [[nodiscard]] bool is_interior(SimplexId simplex) const {
     return filtration_->interior(simplex) <= index_;
   }
+  void find_heights(Threads threads);
   [[nodiscard]] ContactFacet<2> in_plane(SimplexId edge) const;
 
   const Filtration<D>* filtration_;
   std::uint32_t index_;
   RawVector<Sphere<D>> spheres_;
+  /// In space, [triangle]: meeting_height() of those on the boundary, the same for their edges.
+  RawVector<double> heights_;
   RawVector<std::uint64_t> is_in_complex_;  // bit per simplex: all that is read of most of them
 };
 
+/// Calls `visit(facet)` for the facets of edges of the complex in their order, from the caller's
+/// thread; they are measured side by side.
+template <int D, class Visit>
+void for_each_facet(const ContactFacets<D>& facets, std::span<const SimplexId> edges,
+                    Threads threads, const Visit& visit) {
+  constexpr std::size_t kPart = std::size_t{1} << 10U, kParts = 32, kAtOnce = 128;
+  std::vector<ContactFacet<D>> measured(std::min(edges.size(), kPart * kParts));
+  for (std::size_t first = 0; first < edges.size(); first += measured.size()) {
+    const std::size_t size = std::min(measured.size(), edges.size() - first);
+    const std::size_t parts = size / kPart + 1;
+    parallel_parts(threads, size, parts, [&](std::size_t, std::size_t begin, std::size_t end) {
+      typename ContactFacets<D>::Room room;
+      for (std::size_t i = begin; i < end; i += kAtOnce) {
+        const std::size_t count = std::min(kAtOnce, end - i);
+        facets.measure(edges.subspan(first + i, count), std::span(measured).subspan(i, count),
+                       room);
+      }
+    });
+    for (std::size_t i = 0; i < size; ++i) visit(measured[i]);
+  }
+}
+
+template <>
+void ContactFacets<2>::find_heights(Threads threads);
+template <>
+void ContactFacets<3>::find_heights(Threads threads);
 template <>
 ContactFacet<2> ContactFacets<2>::in_plane(SimplexId edge) const;
 template <>

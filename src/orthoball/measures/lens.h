@@ -129,18 +129,19 @@ struct InLens {
 
 /// A third ball at a lens in space, seen along the axis: it covers what is beyond a line.
 struct Beyond {
-  InLens apex;         ///< the third centre, from the axis
-  double along = 0.0;  ///< the third centre along the axis, from the first centre
+  InLens apex;  ///< the third centre, from the axis
+  /// [ball]: the third centre along the axis, from each centre towards the other.
+  std::array<double, 2> along{};
   double level = 0.0;  ///< the line is where the inner product with `apex` is this
 };
 
 /// Where that line cuts the disk of the lens.
 struct Chord {
-  InLens towards;              ///< unit vector to the apex
-  double apex_distance = 0.0;  ///< of the third centre from the axis
-  double along = 0.0;          ///< as in Beyond
-  double height = 0.0;         ///< signed distance of the chord from the axis, towards the apex
-  double half = 0.0;           ///< half its length, >= 0
+  InLens towards;                 ///< unit vector to the apex
+  double apex_distance = 0.0;     ///< of the third centre from the axis
+  std::array<double, 2> along{};  ///< as in Beyond
+  double height = 0.0;            ///< signed distance of the chord from the axis, towards the apex
+  double half = 0.0;              ///< half its length, >= 0
 
   /// Half the angle of the arc that the third ball covers, in [0, pi] radians.
   [[nodiscard]] HalfPlane half_angle() const { return {height, half}; }
@@ -151,11 +152,21 @@ struct Chord {
   }
 };
 
+/// a.x - b.x
+[[nodiscard]] inline std::array<double, 3> difference(const Sphere<3>& a, const Sphere<3>& b) {
+  return {a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]};
+}
+/// The inner product.
+[[nodiscard]] inline double inner(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 /// A lens in space with coordinates in the plane of its circle: `across[0]`, `across[1]` and the
 /// axis are a right-handed orthonormal frame.
 class LensFrame {
  public:
-  LensFrame(const Sphere<3>& a, const Sphere<3>& b) : lens_(orthoball::lens(a, b)), first_(a) {
+  LensFrame(const Sphere<3>& a, const Sphere<3>& b)
+      : lens_(orthoball::lens(a, b)), first_(a), second_(b) {
     const auto& e = lens_.axis;
     std::size_t least = 0;
     for (std::size_t i = 1; i < 3; ++i) {
@@ -180,23 +191,26 @@ class LensFrame {
   }
 
   [[nodiscard]] Beyond beyond(const Sphere<3>& third) const {
-    const double x = third.x[0] - first_.x[0], y = third.x[1] - first_.x[1],
-                 z = third.x[2] - first_.x[2];
-    const auto along = [&](const std::array<double, 3>& e) {
-      return x * e[0] + y * e[1] + z * e[2];
-    };
+    // From the nearer end: where the third centre is close to it, its direction is known as well.
+    const std::array<double, 3> to0 = difference(third, first_), to1 = difference(third, second_);
+    const bool nearer = inner(to1, to1) < inner(to0, to0);
+    const std::array<double, 3>& to = nearer ? to1 : to0;
+    const Sphere<3>& end = nearer ? second_ : first_;
     Beyond beyond;
-    beyond.apex = {along(across_[0]), along(across_[1])};
-    beyond.along = along(lens_.axis);
-    // On the plane of equal power with the first ball x . to = (|to|^2 + weight - weight) / 2.
-    beyond.level =
-        (dot(beyond.apex, beyond.apex) + beyond.along * (beyond.along - 2 * lens_.height[0]) +
-         (first_.weight - third.weight)) /
-        2;
+    beyond.apex = {inner(to, across_[0]), inner(to, across_[1])};
+    const double along = inner(to, lens_.axis);
+    beyond.along = nearer ? std::array{lens_.distance + along, -along}
+                          : std::array{along, lens_.distance - along};
+    // On the plane of equal power with the end x . to = (|to|^2 + weight - weight) / 2.
+    const double height = nearer ? -lens_.height[1] : lens_.height[0];
+    beyond.level = (dot(beyond.apex, beyond.apex) + along * (along - 2 * height) +
+                    (end.weight - third.weight)) /
+                   2;
     return beyond;
   }
 
-  [[nodiscard]] Chord chord(const Beyond& beyond) const {
+  /// @param half  meeting_height() of the three balls.
+  [[nodiscard]] Chord chord(const Beyond& beyond, double half) const {
     Chord chord;
     chord.apex_distance = std::sqrt(dot(beyond.apex, beyond.apex));
     chord.along = beyond.along;
@@ -205,7 +219,12 @@ class LensFrame {
       chord.towards = {beyond.apex.x / chord.apex_distance, beyond.apex.y / chord.apex_distance};
       chord.height = std::clamp(beyond.level / chord.apex_distance, -lens_.radius, lens_.radius);
     }
-    chord.half = std::sqrt((lens_.radius - chord.height) * (lens_.radius + chord.height));
+    // Its ends are on the circle: the smaller of height and half is the better known.
+    chord.half = std::min(half, lens_.radius);
+    if (std::abs(chord.height) > chord.half) {
+      const double height = std::sqrt((lens_.radius - chord.half) * (lens_.radius + chord.half));
+      chord.height = std::copysign(height, chord.height);
+    }
     return chord;
   }
 
@@ -227,7 +246,7 @@ class LensFrame {
   /// chord it goes with half_angle(): what rounding takes from one it gives to the other.
   [[nodiscard]] HalfPlane half_solid_angle(const Chord& chord, std::size_t ball,
                                            double radius) const {
-    const double along = ball == 0 ? chord.along : lens_.distance - chord.along;
+    const double along = chord.along[ball];
     const double off = chord.apex_distance;
     const double length = std::sqrt(along * along + off * off);
     const double beyond = along >= 0.0 ? length + along : off * (off / (length - along));
@@ -237,9 +256,36 @@ class LensFrame {
 
  private:
   Lens<3> lens_;
-  Sphere<3> first_;
+  Sphere<3> first_, second_;
   std::array<std::array<double, 3>, 2> across_{};
 };
+
+/// How far from the plane of three centres the two points are where their spheres meet: half the
+/// chord in the frame of each pair. Told by the pair with the smallest circle; the same double
+/// whatever the pair at hand is, as long as the balls come in one order.
+[[nodiscard]] inline double meeting_height(const Sphere<3>& a, const Sphere<3>& b,
+                                           const Sphere<3>& c) {
+  const double ab = rough_circle2(a, b), ac = rough_circle2(a, c), bc = rough_circle2(b, c);
+  const auto of_pair = [](const Sphere<3>& first, const Sphere<3>& second, const Sphere<3>& third) {
+    const Lens<3> pair = lens(first, second);
+    const std::array<double, 3> to0 = difference(third, first), to1 = difference(third, second);
+    const bool nearer = inner(to1, to1) < inner(to0, to0);
+    const auto& to = nearer ? to1 : to0;
+    const auto& e = pair.axis;
+    const std::array<double, 3> off{to[1] * e[2] - to[2] * e[1], to[2] * e[0] - to[0] * e[2],
+                                    to[0] * e[1] - to[1] * e[0]};
+    const double off2 = inner(off, off), along = inner(to, e);
+    const double height_of_plane = nearer ? -pair.height[1] : pair.height[0];
+    const double level = (off2 + along * (along - 2 * height_of_plane) +
+                          ((nearer ? second : first).weight - third.weight)) /
+                         2;
+    double height = 0.0;
+    if (off2 > 0.0) height = std::clamp(level / std::sqrt(off2), -pair.radius, pair.radius);
+    return std::sqrt((pair.radius - height) * (pair.radius + height));
+  };
+  if (ab <= ac && ab <= bc) return of_pair(a, b, c);
+  return ac <= bc ? of_pair(a, c, b) : of_pair(b, c, a);
+}
 
 /// The angle from one apex to the next one counterclockwise, in [0, pi] radians: the dihedral angle
 /// of their tetrahedron at the axis.

@@ -32,7 +32,8 @@ class Union {
       : filtration_(filtration),
         index_(index),
         options_(options),
-        facets_(filtration, index, scaled_alpha2(filtration.triangulation().sites(), alpha2)) {
+        facets_(filtration, index, scaled_alpha2(filtration.triangulation().sites(), alpha2),
+                options.threads) {
     result_.index = index;
     result_.alpha2 = alpha2;
   }
@@ -88,28 +89,13 @@ class Union {
 
 template <int D>
 void Union<D>::add_edges() {
-  constexpr std::size_t kPart = std::size_t{1} << 10U, kParts = 32, kAtOnce = 128;
   const std::uint32_t first = filtration_.table().first(1);
-  const std::size_t edges = filtration_.count(1);
-  std::vector<SimplexId> wanted;
-  std::vector<ContactFacet<D>> facets(kPart * kParts);
-  for (std::size_t edge = 0; edge < edges;) {
-    wanted.clear();
-    for (; edge < edges && wanted.size() < facets.size(); ++edge) {
-      const SimplexId simplex(first + static_cast<std::uint32_t>(edge));
-      if (is_in(simplex)) wanted.push_back(simplex);
-    }
-    parallel_parts(options_.threads.for_work(wanted.size(), kPart), wanted.size(), kParts,
-                   [&](std::size_t, std::size_t begin, std::size_t end) {
-                     typename ContactFacets<D>::Room room;
-                     for (std::size_t i = begin; i < end; i += kAtOnce) {
-                       const std::size_t size = std::min(kAtOnce, end - i);
-                       facets_.measure(std::span(wanted).subspan(i, size),
-                                       std::span(facets).subspan(i, size), room);
-                     }
-                   });
-    for (std::size_t i = 0; i < wanted.size(); ++i) add(facets[i]);
+  RawVector<SimplexId> edges;
+  for (std::uint32_t edge = 0; edge < filtration_.count(1); ++edge) {
+    if (is_in(SimplexId(first + edge))) edges.push_back(SimplexId(first + edge));
   }
+  for_each_facet<D>(facets_, edges, options_.threads,
+                    [&](const ContactFacet<D>& facet) { add(facet); });
 }
 
 template <int D>

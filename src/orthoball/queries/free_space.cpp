@@ -16,7 +16,7 @@ std::array<Sphere<2>, 3> in_plane(const std::array<Sphere<3>, 3>& corners) {
   const Beyond third = frame.beyond(corners[2]);
   const double off = std::sqrt(dot(third.apex, third.apex));
   const std::array<std::array<double, 2>, 3> at{
-      {{0.0, 0.0}, {frame.lens().distance, 0.0}, {third.along, off}}};
+      {{0.0, 0.0}, {frame.lens().distance, 0.0}, {third.along[0], off}}};
   std::array<Sphere<2>, 3> result;
   for (std::size_t i = 0; i < 3; ++i) result[i] = {at[i], corners[i].weight, corners[i].radius};
   return result;
