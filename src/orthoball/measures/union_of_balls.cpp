@@ -167,9 +167,9 @@ void Union<D>::add_vertices() {
     const bool is_interior = filtration_.interior(SimplexId(vertex)) <= index_;
     const double exposed = is_interior ? 0.0 : std::max(0.0, kAllDirections - taken_[vertex]);
     const double own_area = exposed * (D == 3 ? r * r : r);
-    const double own_volume = std::max(0.0, (r * own_area + beside_[vertex]) / D);
+    const double own_volume = (r * own_area + beside_[vertex]) / D;
     result_.areas[row] = in(areas, own_area);
-    result_.volumes[row] = in(volumes, own_volume);
+    result_.volumes[row] = in(volumes, std::max(0.0, own_volume));
     area.add(own_area);
     volume.add(own_volume);
     curvature.add(exposed * r);
