@@ -39,5 +39,35 @@ TEST(InputUnits, OverflowToInfinityAndVanishBelow) {
   EXPECT_GT(InputUnits(1, 100, 300, 1)({0x1p+120, 0.0}), 0.0);
 }
 
+TEST(InputUnits, AreLeftTheWayTheyAreEntered) {
+  for (const int scale_exponent : {-400, -7, 0, 3, 250}) {
+    for (const int decimals : {0, 1, 3, 15, 40, 120}) {
+      for (int power = 1; power <= 3; ++power) {
+        const double value = 1.2345678901234567;
+        const double scaled = from_input_units(value, power, scale_exponent, decimals);
+        if (scaled == 0.0 || std::isinf(scaled) || std::abs(std::log2(scaled)) > 1000) continue;
+        const double back = InputUnits(power, scale_exponent, decimals, 1)({scaled, 0.0});
+        EXPECT_NEAR(back / value, 1.0, 4 * 0x1p-53)
+            << power << ' ' << scale_exponent << ' ' << decimals;
+      }
+    }
+  }
+}
+
+TEST(InputUnits, AreEnteredAsWholeUnitsOfDecimals) {
+  EXPECT_EQ(from_input_units(0.25, 2, 0, 3), 250000.0);
+  EXPECT_EQ(from_input_units(-1.5, 1, 0, 1), -15.0);
+  EXPECT_EQ(from_input_units(0.0, 3, 7, 2), 0.0);
+  // One unit of the points is 2^5 of the values.
+  EXPECT_EQ(from_input_units(3.0, 1, 5, 0), 96.0);
+  EXPECT_EQ(from_input_units(3.0, 2, 5, 0), 3072.0);
+}
+
+TEST(InputUnits, ThatAreEnteredOverflowAndVanishToo) {
+  EXPECT_EQ(from_input_units(1.0, 3, 400, 0), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(from_input_units(-1.0, 2, 0, 200), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(from_input_units(1.0, 3, -400, 0), 0.0);
+}
+
 }  // namespace
 }  // namespace orthoball
