@@ -103,6 +103,19 @@ void look_around(const Filtration<3>& filtration, SimplexId edge, bool is_interi
                          last.cell, last.behind));
 }
 
+// The exponent of the power of two by which lengths are multiplied so that no radius is more than
+// 2^300, of which volumes, their sums and products on the way do not overflow. Those of sites are
+// less than that.
+template <int D>
+int shrinking(const Sites<D>& sites, double alpha2) {
+  constexpr int kLargest = 300;
+  constexpr double kBitsOfTen = 3.33;
+  if (!(alpha2 > 0.0)) return 0;
+  const double bits =
+      std::ilogb(alpha2) / 2.0 + sites.scale_exponent() + kBitsOfTen * sites.decimals();
+  return std::min(0, kLargest - static_cast<int>(bits));
+}
+
 }  // namespace
 
 template <int D>
@@ -110,13 +123,17 @@ ContactFacets<D>::ContactFacets(const Filtration<D>& filtration, std::uint32_t i
                                 Threads threads)
     : filtration_(&filtration), index_(index) {
   const Sites<D>& sites = filtration.triangulation().sites();
+  const int exponent = shrinking(sites, alpha2);
+  scale_exponent_ = sites.scale_exponent() + exponent;
+  const double added = from_input_units(alpha2, 2, scale_exponent_, sites.decimals());
+  const double unit = std::ldexp(1.0, exponent);
   spheres_.resize(sites.size());
   for (std::size_t vertex = 0; vertex < sites.size(); ++vertex) {
     const Site<D>& site = sites[vertex];
     Sphere<D> sphere;
-    std::copy_n(site.x, D, sphere.x.begin());
-    sphere.weight = site.weight;
-    sphere.radius = std::sqrt(std::max(0.0, site.weight + alpha2));
+    for (std::size_t axis = 0; axis < D; ++axis) sphere.x[axis] = site.x[axis] * unit;
+    sphere.weight = site.weight * unit * unit;
+    sphere.radius = std::sqrt(std::max(0.0, sphere.weight + added));
     spheres_[vertex] = sphere;
   }
   const std::span<const std::uint32_t> enters = filtration.enters();
@@ -130,6 +147,11 @@ ContactFacets<D>::ContactFacets(const Filtration<D>& filtration, std::uint32_t i
     is_in_complex_[word] = bits;
   }
   find_heights(threads);
+}
+
+template <int D>
+InputUnits ContactFacets<D>::units(int power) const {
+  return {power, scale_exponent_, filtration_->triangulation().sites().decimals(), 1};
 }
 
 template <>

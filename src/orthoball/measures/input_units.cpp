@@ -39,8 +39,9 @@ InputUnits::InputUnits(int power, int scale_exponent, int decimals, int divisor)
 
 double from_input_units(double value, int power, int scale_exponent, int decimals) {
   const ScaledPower scaled = times_five_to(1.0, power * decimals);
-  const DoubleDouble product = scaled.mantissa * ExactDouble{value};
-  return std::ldexp(product.high, scaled.exponent + power * (scale_exponent + decimals));
+  int exponent = 0;
+  const DoubleDouble product = scaled.mantissa * ExactDouble{std::frexp(value, &exponent)};
+  return std::ldexp(product.high, exponent + scaled.exponent + power * (scale_exponent + decimals));
 }
 
 }  // namespace orthoball

@@ -32,8 +32,7 @@ class Union {
       : filtration_(filtration),
         index_(index),
         options_(options),
-        facets_(filtration, index, scaled_alpha2(filtration.triangulation().sites(), alpha2),
-                options.threads) {
+        facets_(filtration, index, alpha2, options.threads) {
     result_.index = index;
     result_.alpha2 = alpha2;
   }
@@ -57,13 +56,7 @@ class Union {
  private:
   static constexpr double kAllDirections = (D == 3 ? 4 : 2) * std::numbers::pi;
 
-  static double scaled_alpha2(const Sites<D>& sites, double alpha2) {
-    return from_input_units(alpha2, 2, sites.scale_exponent(), sites.decimals());
-  }
-  InputUnits units(int power) const {
-    const Sites<D>& sites = filtration_.triangulation().sites();
-    return {power, sites.scale_exponent(), sites.decimals(), 1};
-  }
+  InputUnits units(int power) const { return facets_.units(power); }
   static double in(const InputUnits& units, double value) { return units({value, 0.0}); }
   bool is_in(SimplexId simplex) const { return filtration_.enters(simplex) <= index_; }
 
@@ -220,6 +213,10 @@ UnionOfBalls union_of_balls(const Filtration<D>& filtration, std::uint32_t index
     throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
                      "index " + std::to_string(index) + " is beyond the spectrum, which has " +
                          std::to_string(filtration.spectrum_size()) + " entries");
+  }
+  if (std::isnan(alpha2) || alpha2 == std::numeric_limits<double>::infinity()) {
+    throw InputError(InputError::Reason::not_finite, InputError::kNoRow,
+                     "alpha2 of a union of balls must be finite");
   }
   return Union<D>(filtration, index, alpha2, options).measured();
 }

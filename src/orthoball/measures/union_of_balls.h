@@ -67,7 +67,7 @@ struct UnionOptions {
 ///
 /// Linear in the simplices around edges of K_index; the same on any number of threads.
 /// @param alpha2  length^2 in input units; any number between the label of the index and the next.
-/// @throws InputError for an index beyond the spectrum's size.
+/// @throws InputError for an index beyond the spectrum's size or an alpha2 that is not finite.
 /// @cite edelsbrunner_1995
 template <int D>
 [[nodiscard]] UnionOfBalls union_of_balls(const Filtration<D>& filtration, std::uint32_t index,

@@ -26,17 +26,7 @@ std::array<Sphere<2>, 3> in_plane(const std::array<Sphere<3>, 3>& corners) {
 
 template <int D>
 FreeSpace<D>::FreeSpace(const Filtration<D>& filtration, std::uint32_t index, double alpha2)
-    : filtration_(&filtration),
-      index_(index),
-      balls_(filtration, index,
-             from_input_units(alpha2, 2, filtration.triangulation().sites().scale_exponent(),
-                              filtration.triangulation().sites().decimals())) {}
-
-template <int D>
-InputUnits FreeSpace<D>::units(int power) const {
-  const Sites<D>& sites = filtration_->triangulation().sites();
-  return {power, sites.scale_exponent(), sites.decimals(), 1};
-}
+    : filtration_(&filtration), index_(index), balls_(filtration, index, alpha2) {}
 
 template <int D>
 typename FreeSpace<D>::Corners FreeSpace<D>::corners(SimplexId cell) const {

@@ -48,13 +48,13 @@ class FreeSpace {
   /// same sum; length^(D-1).
   [[nodiscard]] double part_of_facet(SimplexId facet) const;
 
-  /// In the units of Sites: the balls at the corners of a cell, by vertex.
+  /// In the units of ContactFacets: the balls at the corners of a cell, by vertex.
   [[nodiscard]] Corners corners(SimplexId cell) const;
   [[nodiscard]] const Sphere<D>& ball(VertexId vertex) const {
     return balls_.spheres()[vertex.row()];
   }
-  /// From the units of Sites. @param power  1 for lengths, 2 for areas, 3 for volumes.
-  [[nodiscard]] InputUnits units(int power) const;
+  /// From these units. @param power  1 for lengths, 2 for areas, 3 for volumes.
+  [[nodiscard]] InputUnits units(int power) const { return balls_.units(power); }
   /// Whether a simplex is in the complex.
   [[nodiscard]] bool is_in(SimplexId simplex) const {
     return filtration_->enters(simplex) <= index_;

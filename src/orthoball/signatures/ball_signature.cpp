@@ -53,10 +53,7 @@ template <int D>
 typename BallBoundaries<D>::Measures BallBoundaries<D>::measures(const BallAlpha& alpha,
                                                                  Threads threads) const {
   constexpr double kAllDirections = (D == 3 ? 4 : 2) * std::numbers::pi;
-  const Sites<D>& sites = filtration_->triangulation().sites();
-  const ContactFacets<D> facets(
-      *filtration_, alpha.index,
-      from_input_units(alpha.alpha2, 2, sites.scale_exponent(), sites.decimals()), threads);
+  const ContactFacets<D> facets(*filtration_, alpha.index, alpha.alpha2, threads);
   std::vector<double> taken(filtration_->count(0), 0.0);
   CompensatedSum volume, area;
   for_each_facet<D>(facets, at_index(edges_, filtration_->table().first(1), alpha.index), threads,
@@ -73,10 +70,7 @@ typename BallBoundaries<D>::Measures BallBoundaries<D>::measures(const BallAlpha
     area.add(own);
     volume.add(own * r / D);
   }
-  const auto units = [&](int power) {
-    return InputUnits(power, sites.scale_exponent(), sites.decimals(), 1);
-  };
-  return {units(D)(volume.value()), units(D - 1)(area.value())};
+  return {facets.units(D)(volume.value()), facets.units(D - 1)(area.value())};
 }
 
 template <int D>

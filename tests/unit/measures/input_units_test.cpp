@@ -67,6 +67,7 @@ TEST(InputUnits, ThatAreEnteredOverflowAndVanishToo) {
   EXPECT_EQ(from_input_units(1.0, 3, 400, 0), std::numeric_limits<double>::infinity());
   EXPECT_EQ(from_input_units(-1.0, 2, 0, 200), -std::numeric_limits<double>::infinity());
   EXPECT_EQ(from_input_units(1.0, 3, -400, 0), 0.0);
+  EXPECT_EQ(from_input_units(0x1p+1020, 1, -100, 1), 10 * 0x1p+920);  // not before it is scaled
 }
 
 }  // namespace
