@@ -247,6 +247,36 @@ TEST(UnionOfBalls, RefusesAnIndexBeyondTheSpectrum) {
   }
 }
 
+TEST(UnionOfBalls, RefusesAnAlpha2ThatIsNotFinite) {
+  const Filtration<2> filtration(
+      regular_triangulation<2>(WeightedPoints(2, {0, 0, 1, 0}, WeightKind::none, {})));
+  for (const double alpha2 :
+       {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    try {
+      (void)union_of_balls(filtration, 2, alpha2, {});
+      FAIL();
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.reason(), InputError::Reason::not_finite);
+    }
+  }
+}
+
+// Far larger than all distances, in a unit in which their volume would overflow.
+TEST(UnionOfBalls, OfBallsAroundNearlyOnePointIsABall) {
+  const WeightedPoints points(3, {0, 0, 0, 1e-150, 0, 0, 0, 1e-160, 0, 0, 0, 1e-155},
+                              WeightKind::none, {});
+  for (const double radius : {1e-90, 1.0, 1e+50}) {
+    const UnionOfBalls found = union_of<3>(points, radius * radius);
+    EXPECT_NEAR(found.volume / std::pow(radius, 3), 4 * pi / 3, 1e-14);
+    EXPECT_NEAR(found.area / std::pow(radius, 2), 4 * pi, 1e-13);
+    EXPECT_NEAR(found.mean_curvature / radius, 4 * pi, 1e-13);
+  }
+  const UnionOfBalls decimals =
+      union_of<2>(WeightedPoints::fixed_point(2, 400, {0, 0, 0, 100}, WeightKind::none, {}), 9.0);
+  EXPECT_NEAR(decimals.volume, 9 * pi, 1e-13);
+  EXPECT_NEAR(decimals.area, 6 * pi, 1e-13);
+}
+
 // Decimals are lengths in their own unit, alpha2 one in input units.
 TEST(UnionOfBalls, OfDecimalsIsInInputUnits) {
   const UnionOfBalls two =
@@ -293,20 +323,28 @@ void expect_slices(const WeightedPoints& points, double alpha2) {
     EXPECT_TRUE(contacts.emplace(contact.rows, contact).second) << "twice";
   }
   std::vector<double> volumes(points.size()), areas(points.size());
+  bool has_flat_parts = false;  // between those that touch there: only one pair has the contact
   for (std::size_t i = 0; i < balls.size(); ++i) {
     volumes[rows[i]] = volume(balls[i]);
     areas[rows[i]] = area(balls[i]);
+    if (volumes[rows[i]] < 1e-12 * std::pow(largest, D)) has_flat_parts = true;
+  }
+  for (std::size_t i = 0; i < balls.size() && !has_flat_parts; ++i) {
     for (std::size_t j = i + 1; j < balls.size(); ++j) {
-      // Of a ball inside another it is not the plane that ends it.
       const CutBall shared = facet(balls[i], j - 1);
       const auto at = contacts.find({SiteId(rows[i]), SiteId(rows[j])});
       const Contact contact = at == contacts.end() ? Contact{} : at->second;
       EXPECT_NEAR(contact.area, volume(shared), 1e-10 * std::pow(largest, D - 1))
           << rows[i] << ' ' << rows[j];
       // An end just at a corner is in or out as rounding has it.
-      if (volume(shared) < 1e-6 * largest) continue;
-      EXPECT_NEAR(contact.exposed, area(shared), 1e-6 * std::pow(largest, D - 2))
-          << rows[i] << ' ' << rows[j];
+      if (contact.area < 1e-9 * std::pow(largest, D - 1)) continue;
+      CutBall smaller = shared, larger = shared;
+      smaller.radius *= 1 - 1e-9;
+      larger.radius *= 1 + 1e-9;
+      const auto [least, most] = std::minmax({area(smaller), area(shared), area(larger)});
+      const double rounding = 1e-9 * std::pow(largest, D - 2);
+      EXPECT_GE(contact.exposed, least - rounding) << rows[i] << ' ' << rows[j];
+      EXPECT_LE(contact.exposed, most + rounding) << rows[i] << ' ' << rows[j];
     }
   }
   double volume = 0.0, area = 0.0;
