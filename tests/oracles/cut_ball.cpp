@@ -85,11 +85,11 @@ template <class Function>
 class Integral {
  public:
   Integral(const CutBall& ball, const Function& function) : function_(function) {
-    error_ = 1e-14 * std::pow(ball.radius, static_cast<double>(ball.centre.size()));
+    error_ = 1e-13 * std::pow(ball.radius, static_cast<double>(ball.centre.size()));
     const Events events(ball);
     for (std::size_t i = 1; i < events.at().size(); ++i) {
       const double low = events.at()[i - 1], high = events.at()[i];
-      if (high - low > 1e-15 * ball.radius) value_ += refined(low, high, between(low, high), 25);
+      if (high - low > 1e-15 * ball.radius) value_ += refined(low, high, between(low, high), 20);
     }
   }
   [[nodiscard]] double value() const { return value_; }
@@ -133,13 +133,18 @@ CutBall slice(const CutBall& ball, double x) {
   return result;
 }
 
-double interval(const CutBall& segment) {
-  double low = segment.centre[0] - segment.radius, high = segment.centre[0] + segment.radius;
-  for (const HalfSpace& cut : segment.cuts) {
-    const double n = cut.normal[0];
-    if (n > 0.0) high = std::min(high, cut.offset / n);
-    if (n < 0.0) low = std::max(low, cut.offset / n);
-    if (n == 0.0 && cut.offset < 0.0) return 0.0;
+// Of a segment, or of a disk at a first coordinate.
+double interval(const CutBall& ball, double x = 0.0) {
+  const std::size_t axis = ball.centre.size() - 1;
+  const double off = axis == 1 ? x - ball.centre[0] : 0.0;
+  const double half = std::sqrt(std::max(0.0, (ball.radius - off) * (ball.radius + off)));
+  double low = ball.centre[axis] - half, high = ball.centre[axis] + half;
+  for (const HalfSpace& cut : ball.cuts) {
+    const double n = cut.normal[axis];
+    const double offset = axis == 1 ? cut.offset - cut.normal[0] * x : cut.offset;
+    if (n > 0.0) high = std::min(high, offset / n);
+    if (n < 0.0) low = std::max(low, offset / n);
+    if (n == 0.0 && offset < 0.0) return 0.0;
   }
   return std::max(0.0, high - low);
 }
@@ -188,6 +193,9 @@ HalfSpace where_power_is_more(const CutBall& one, const CutBall& other) {
 
 double volume(const CutBall& ball) {
   if (ball.centre.size() == 1) return interval(ball);
+  if (ball.centre.size() == 2) {
+    return integral(ball, [&](double x) { return interval(ball, x); });
+  }
   return integral(ball, [&](double x) { return volume(slice(ball, x)); });
 }
 
