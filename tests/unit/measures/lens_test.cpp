@@ -176,7 +176,7 @@ TEST(LensFrame, EndsChordsOnAllThreeSpheres) {
     const Sphere<3> c = random_sphere(random);
     const LensFrame frame(a, b);
     const Beyond beyond = frame.beyond(c);
-    const Chord chord = frame.chord(beyond);
+    const Chord chord = frame.chord(beyond, meeting_height(a, b, c));
     EXPECT_NEAR(chord.apex_distance, std::hypot(beyond.apex.x, beyond.apex.y), 1e-15);
     EXPECT_GE(chord.half, 0.0);
     if (chord.half == 0.0 || chord.apex_distance < 0.1) continue;  // the spheres do not meet
@@ -204,13 +204,45 @@ TEST(LensFrame, EndsChordsOnAllThreeSpheres) {
   EXPECT_GT(met, 200);
 }
 
+TEST(MeetingHeight, IsTheSameForAllThreePairs) {
+  Random random(7);
+  for (int i = 0; i < 1000; ++i) {
+    const std::array<Sphere<3>, 3> balls{random_sphere(random), random_sphere(random),
+                                         random_sphere(random)};
+    const double height = meeting_height(balls[0], balls[1], balls[2]);
+    if (height < 0.05) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const LensFrame frame(balls[k], balls[(k + 1) % 3]);
+      const Beyond third = frame.beyond(balls[(k + 2) % 3]);
+      const double off = std::hypot(third.apex.x, third.apex.y);
+      if (off < 0.1) continue;
+      EXPECT_NEAR(std::sqrt(frame.lens().radius2 - third.level / off * (third.level / off)), height,
+                  1e-12);
+      EXPECT_EQ(frame.chord(third, height).half, height);
+    }
+  }
+}
+
+TEST(MeetingHeight, IsNothingWhereSpheresJustMeet) {
+  // Points at distance 1 from a centre in their plane, radii 1 and off by one unit in the last
+  // place.
+  const double up = 0x1.0000000000001p+0;
+  const Sphere<3> a = sphere({1, 0, 0}, 1), b = sphere({0, 1, 0}, 1), c = sphere({-1, 0, 0}, 1);
+  EXPECT_EQ(meeting_height(a, b, c), 0.0);
+  EXPECT_LT(meeting_height(sphere(a.x, up), sphere(b.x, up), sphere(c.x, up)), 1e-7);
+}
+
 TEST(LensFrame, PutsChordsBackIntoTheDisk) {
-  const LensFrame frame(sphere({0, 0, 0}, 1), sphere({0, 0, 1}, 1));
+  const Sphere<3> a = sphere({0, 0, 0}, 1), b = sphere({0, 0, 1}, 1);
+  const LensFrame frame(a, b);
   const double radius = frame.lens().radius;
-  const Chord none = frame.chord(frame.beyond(sphere({9, 0, 0.5}, 1)));
+  const auto chord_of = [&](const Sphere<3>& third) {
+    return frame.chord(frame.beyond(third), meeting_height(a, b, third));
+  };
+  const Chord none = chord_of(sphere({9, 0, 0.5}, 1));
   EXPECT_EQ(none.height, radius);
   EXPECT_EQ(none.half, 0.0);
-  const Chord all = frame.chord(frame.beyond(sphere({1, 0, 0.5}, 9)));
+  const Chord all = chord_of(sphere({1, 0, 0.5}, 9));
   EXPECT_EQ(all.height, -radius);
   EXPECT_EQ(all.half, 0.0);
   EXPECT_EQ(angle(all.half_angle()), pi);
@@ -271,7 +303,7 @@ TEST(LensFrame, TellsTheSolidAngleOfARegularTetrahedron) {
   const Sphere<3> a = sphere({0, 0, 0}, 1), b = sphere({1, 0, 0}, 1);
   const Sphere<3> c = sphere({0.5, std::sqrt(0.75), 0}, 1);
   const LensFrame frame(a, b);
-  const Chord chord = frame.chord(frame.beyond(c));
+  const Chord chord = frame.chord(frame.beyond(c), meeting_height(a, b, c));
   const double expected = 3 * std::acos(1.0 / 3) - pi;
   EXPECT_NEAR(2 * angle(frame.half_solid_angle(chord, 0, 1.0)), expected, 1e-15);
   EXPECT_NEAR(2 * angle(frame.half_solid_angle(chord, 1, 1.0)), expected, 1e-15);
@@ -282,7 +314,7 @@ TEST(LensFrame, TellsTheSolidAngleOfAnOctant) {
   const Sphere<3> a = sphere({0, 0, 0}, 1), b = sphere({1, 0, 0}, std::sqrt(2.0));
   const Sphere<3> c = sphere({0, 1, 0}, std::sqrt(2.0));
   const LensFrame frame(a, b);
-  const Chord chord = frame.chord(frame.beyond(c));
+  const Chord chord = frame.chord(frame.beyond(c), meeting_height(a, b, c));
   EXPECT_NEAR(2 * angle(frame.half_solid_angle(chord, 0, 1.0)), pi / 2, 1e-15);
 }
 
@@ -293,7 +325,7 @@ TEST(LensFrame, TellsSolidAnglesAtBothCentres) {
     const Sphere<3> a = random_sphere(random), b = random_sphere(random);
     const Sphere<3> c = random_sphere(random);
     const LensFrame frame(a, b);
-    const Chord chord = frame.chord(frame.beyond(c));
+    const Chord chord = frame.chord(frame.beyond(c), meeting_height(a, b, c));
     if (chord.half < 0.05 || chord.apex_distance < 0.05 || frame.lens().distance < 0.05) continue;
     ++met;
     const Vector end = in_space(frame, a, chord.end(1.0));
