@@ -259,8 +259,10 @@ class EdgeInSpace {
     for (auto* list : {&room_.x, &room_.y, &room_.times, &room_.angles}) list->resize(2 * size);
     room_.added_to.resize(2 * size);
   }
-  void ask(std::uint32_t sum, HalfPlane angle, double times) {
-    const std::size_t place = room_.angle_count++;
+  // For an angle, or for none: without a branch.
+  void ask(std::uint32_t sum, HalfPlane angle, double times, bool is_wanted = true) {
+    const std::size_t place = room_.angle_count;
+    room_.angle_count += is_wanted ? 1U : 0U;
     room_.x[place] = angle.x;
     room_.y[place] = angle.y;
     room_.times[place] = times;
@@ -288,9 +290,9 @@ class EdgeInSpace {
       const Sphere<3>& centre = spheres_[ends_[i]];
       const double other =
           ends_[i] < apex.vertex ? rough_circle2(centre, third) : rough_circle2(third, centre);
-      if (circle_ < other || (circle_ == other && ends_[1 - i] < apex.vertex)) {
-        ask(kTaken + i, frame_.half_solid_angle(chord, i, centre.radius), 2 * sides);
-      }
+      const bool is_wanted =
+          (circle_ < other) | ((circle_ == other) & (ends_[1 - i] < apex.vertex));
+      ask(kTaken + i, frame_.half_solid_angle(chord, i, centre.radius), 2 * sides, is_wanted);
     }
     return sides;
   }

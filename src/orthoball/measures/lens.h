@@ -192,18 +192,19 @@ class LensFrame {
 
   [[nodiscard]] Beyond beyond(const Sphere<3>& third) const {
     // From the nearer end: where the third centre is close to it, its direction is known as well.
+    // Which that is is as good as random: nothing branches on it.
     const std::array<double, 3> to0 = difference(third, first_), to1 = difference(third, second_);
-    const bool nearer = inner(to1, to1) < inner(to0, to0);
-    const std::array<double, 3>& to = nearer ? to1 : to0;
-    const Sphere<3>& end = nearer ? second_ : first_;
+    const std::size_t nearer = inner(to1, to1) < inner(to0, to0) ? 1 : 0;
+    const Sphere<3>& end = *std::array{&first_, &second_}[nearer];
+    const std::array<double, 3> to = difference(third, end);
+    const std::array<double, 2> place{0.0, lens_.distance},
+        height{lens_.height[0], -lens_.height[1]};
     Beyond beyond;
     beyond.apex = {inner(to, across_[0]), inner(to, across_[1])};
     const double along = inner(to, lens_.axis);
-    beyond.along = nearer ? std::array{lens_.distance + along, -along}
-                          : std::array{along, lens_.distance - along};
+    beyond.along = {place[nearer] + along, place[1 - nearer] - along};
     // On the plane of equal power with the end x . to = (|to|^2 + weight - weight) / 2.
-    const double height = nearer ? -lens_.height[1] : lens_.height[0];
-    beyond.level = (dot(beyond.apex, beyond.apex) + along * (along - 2 * height) +
+    beyond.level = (dot(beyond.apex, beyond.apex) + along * (along - 2 * height[nearer]) +
                     (end.weight - third.weight)) /
                    2;
     return beyond;
