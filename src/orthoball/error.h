@@ -18,6 +18,7 @@ class InputError : public std::invalid_argument {
     not_finite,      ///< a coordinate, radius or weight is NaN or infinite
     wrong_size,      ///< the arrays' lengths do not fit each other or the dimension
     wrong_argument,  ///< an option outside its range
+    imaginary_ball,  ///< a radius or weight is below 0 where balls must be real
   };
   static constexpr std::size_t kNoRow = static_cast<std::size_t>(-1);
 

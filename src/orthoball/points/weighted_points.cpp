@@ -123,14 +123,17 @@ WeightedPoints WeightedPoints::fixed_point(int dimension, int decimals,
   return points;
 }
 
-double WeightedPoints::coordinate(std::size_t row, int axis) const {
-  const double number =
-      coordinates_[static_cast<std::size_t>(dimension_) * row + static_cast<std::size_t>(axis)];
+double WeightedPoints::in_input_units(double number) const {
   if (!decimals_ || *decimals_ == 0) return number;
   // An integer below 2^53 over a power of ten up to 10^22: both exact, so one rounding.
   if (*decimals_ <= 22) return number / std::pow(10.0, *decimals_);
   const std::string text = std::to_string(static_cast<long long>(number));
   return std::strtod((text + "e-" + std::to_string(*decimals_)).c_str(), nullptr);
+}
+
+double WeightedPoints::coordinate(std::size_t row, int axis) const {
+  return in_input_units(
+      coordinates_[static_cast<std::size_t>(dimension_) * row + static_cast<std::size_t>(axis)]);
 }
 
 double WeightedPoints::weight(std::size_t row) const {
@@ -139,6 +142,18 @@ double WeightedPoints::weight(std::size_t row) const {
   const int decimals = decimals_.value_or(0);
   const double value = kind_ == WeightKind::radius ? number * std::abs(number) : number;
   return decimals == 0 ? value : value / std::pow(10.0, decimals) / std::pow(10.0, decimals);
+}
+
+double WeightedPoints::radius(std::size_t row) const {
+  if (kind_ == WeightKind::radius) return in_input_units(weights_[row]);
+  const double squared = weight(row);
+  return std::copysign(std::sqrt(std::abs(squared)), squared);
+}
+
+std::optional<double> ball_radius(const WeightedPoints& points, std::size_t row, double alpha2) {
+  const double radius = alpha2 == 0.0 ? points.radius(row) : std::sqrt(points.weight(row) + alpha2);
+  if (!(radius >= 0.0)) return std::nullopt;
+  return radius + 0.0;
 }
 
 }  // namespace orthoball

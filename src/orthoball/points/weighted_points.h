@@ -67,8 +67,13 @@ class WeightedPoints {
   /// Weight of one site in input units squared. Off by a few ulps, for display; the exact number is
   /// in the arrays. Infinite where a radius squared is beyond the double range.
   [[nodiscard]] double weight(std::size_t row) const;
+  /// Signed root of the weight, in input units: a radius as it was given, correctly rounded. Off by
+  /// a few ulps, for display, with WeightKind::weight.
+  [[nodiscard]] double radius(std::size_t row) const;
 
  private:
+  [[nodiscard]] double in_input_units(double number) const;
+
   int dimension_;
   std::optional<int> decimals_;
   WeightKind kind_;
@@ -76,5 +81,10 @@ class WeightedPoints {
   std::vector<double> weights_;
   std::vector<double> weights_low_;
 };
+
+/// Radius of the ball of one site at alpha2, sqrt(weight + alpha2), in input units; empty where
+/// that is imaginary. Off by a few ulps, for display; the radius itself at alpha2 = 0.
+[[nodiscard]] std::optional<double> ball_radius(const WeightedPoints& points, std::size_t row,
+                                                double alpha2);
 
 }  // namespace orthoball

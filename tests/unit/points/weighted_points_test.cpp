@@ -152,5 +152,27 @@ TEST(WeightedPoints, TakeEveryFiniteNumber) {
   EXPECT_EQ(points.weight(0), kInfinity);
 }
 
+TEST(WeightedPoints, TellRadiiAsTheyWereGiven) {
+  const auto balls =
+      WeightedPoints::fixed_point(2, 2, {0, 0, 1, 1}, WeightKind::radius, {170, -152});
+  EXPECT_EQ(balls.radius(0), 1.7);
+  EXPECT_EQ(balls.radius(1), -1.52);
+  const WeightedPoints weights(2, {0, 0, 1, 1}, WeightKind::weight, {4, -9});
+  EXPECT_EQ(weights.radius(0), 2.0);
+  EXPECT_EQ(weights.radius(1), -3.0);
+  EXPECT_EQ(WeightedPoints(2, {0, 0}, WeightKind::none, {}).radius(0), 0.0);
+}
+
+TEST(WeightedPoints, HaveBallsWhereTheirWeightsReachZero) {
+  const auto balls =
+      WeightedPoints::fixed_point(2, 2, {0, 0, 1, 1}, WeightKind::radius, {170, -300});
+  EXPECT_EQ(ball_radius(balls, 0, 0.0), 1.7);
+  EXPECT_NEAR(ball_radius(balls, 0, 1.11).value_or(0.0), 2.0, 1e-15);
+  EXPECT_FALSE(ball_radius(balls, 1, 0.0).has_value());
+  EXPECT_EQ(ball_radius(balls, 1, 9.0), 0.0);
+  EXPECT_EQ(ball_radius(balls, 1, 25.0), 4.0);
+  EXPECT_FALSE(ball_radius(balls, 0, -kInfinity).has_value());
+}
+
 }  // namespace
 }  // namespace orthoball
