@@ -9,3 +9,4 @@ void add_summary_command(CLI::App& app);
 void add_signatures_command(CLI::App& app);
 void add_shape_command(CLI::App& app);
 void add_filter_command(CLI::App& app);
+void add_measure_command(CLI::App& app);

@@ -209,7 +209,7 @@ void add_input_options(CLI::App& command, InputOptions& options) {
       ->group("Messages");
 }
 
-Loaded load(const InputOptions& options, Progress& progress, bool says_notes) {
+orthoball::Reading read_input(const InputOptions& options, Progress& progress, bool says_notes) {
   orthoball::ReadOptions read = options.read;
   if (!options.columns.empty()) read.columns = CLI::detail::split(options.columns, ',');
   if (!options.chains.empty()) read.molecule.chains = CLI::detail::split(options.chains, ',');
@@ -234,7 +234,10 @@ Loaded load(const InputOptions& options, Progress& progress, bool says_notes) {
     for (const std::string& note : reading.notes) say(options, note);
   }
   for (const std::string& warning : reading.warnings) say(options, "warning: " + warning);
+  return reading;
+}
 
+Loaded build_shapes(const InputOptions& options, Progress& progress, orthoball::Reading reading) {
   orthoball::WeightedPoints points = std::move(reading.points);
   reading.points = orthoball::WeightedPoints(points.dimension());
   const orthoball::BuildOptions build{
@@ -249,6 +252,10 @@ Loaded load(const InputOptions& options, Progress& progress, bool says_notes) {
       options.path, progress, [&] { return orthoball::AlphaShapes(std::move(points), build); });
   progress.end();
   return {std::move(reading), std::move(shapes)};
+}
+
+Loaded load(const InputOptions& options, Progress& progress, bool says_notes) {
+  return build_shapes(options, progress, read_input(options, progress, says_notes));
 }
 
 void require_other_file(const InputOptions& options, const std::string& output) {

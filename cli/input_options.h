@@ -48,10 +48,18 @@ void require_other_file(const InputOptions& options, const std::string& output);
 [[nodiscard]] orthoball::Threads threads_of(const InputOptions& options);
 [[nodiscard]] orthoball::MemoryBudget memory_of(const InputOptions& options);
 
-/// Reads the input and builds its shapes; says on standard error which radii were taken and what
-/// the reader noted.
+/// Reads the input; says on standard error which radii were taken and what the reader noted.
 /// @throws orthoball::LimitError where the memory is not enough.
 /// @param says_notes  false for commands that print them among their data.
+[[nodiscard]] orthoball::Reading read_input(const InputOptions& options, Progress& progress,
+                                            bool says_notes = true);
+
+/// Builds the shapes of what was read.
+/// @throws orthoball::LimitError where the memory is not enough.
+[[nodiscard]] Loaded build_shapes(const InputOptions& options, Progress& progress,
+                                  orthoball::Reading reading);
+
+/// Both.
 [[nodiscard]] Loaded load(const InputOptions& options, Progress& progress, bool says_notes = true);
 
 /// Before work on an input that takes `bytes` more.

@@ -89,8 +89,8 @@ void add_commands(CLI::App& app) {
   app.set_help_flag("-h,--help", "print this and exit");
   app.get_formatter()->label("SUBCOMMAND", "COMMAND INPUT");
   app.get_formatter()->label("Subcommands", "Commands");
-  for (const auto add :
-       {add_summary_command, add_signatures_command, add_shape_command, add_filter_command}) {
+  for (const auto add : {add_summary_command, add_signatures_command, add_shape_command,
+                         add_filter_command, add_measure_command}) {
     add(app);
   }
   for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command);
@@ -101,7 +101,8 @@ void add_commands(CLI::App& app) {
       "Examples:\n"
       "  orthoball summary 1crn.cif\n"
       "  orthoball signatures 1ubq.pdb -o table.csv --plot signatures.svg\n"
-      "  orthoball shape bunny.off --alpha2 auto -o surface.ply");
+      "  orthoball shape bunny.off --alpha2 auto -o surface.ply\n"
+      "  orthoball measure 1ubq.pdb --probe 1.4 --per-residue residues.csv");
 }
 
 int run(int argc, char** argv) {

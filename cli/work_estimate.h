@@ -8,7 +8,15 @@
 #include <vector>
 
 /// The parts of the work of a command, in their order.
-enum class Stage { reading, triangulation, filtration, signatures, writing_filter, writing_shape };
+enum class Stage {
+  reading,
+  triangulation,
+  filtration,
+  signatures,
+  measuring,
+  writing_filter,
+  writing_shape
+};
 
 /// What it is called in messages: "triangulation", "writing".
 [[nodiscard]] std::string_view name_of(Stage stage);

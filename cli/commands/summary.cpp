@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -14,8 +13,8 @@
 #include "cli/alpha_options.h"
 #include "cli/commands.h"
 #include "cli/input_options.h"
-#include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/report.h"
 #include "orthoball/counted.h"
 #include "orthoball/output/alpha_text.h"
 #include "orthoball/signatures/notable_alphas.h"
@@ -72,27 +71,14 @@ Facts<D> facts(const orthoball::Filtration<D>& filtration, std::vector<ChosenAlp
   return facts;
 }
 
-// A number that JSON can hold; counts those beyond the range of doubles.
-Json finite(double number, std::size_t& missing) {
-  if (std::isfinite(number)) return number + 0.0;
-  ++missing;
-  return nullptr;
-}
-
 template <int D>
 Json json_report(const Loaded& input, const orthoball::Filtration<D>& filtration,
                  const Facts<D>& facts, std::size_t& missing) {
-  const auto& points = input.shapes.points();
   const auto& triangulation = filtration.triangulation();
   const std::uint32_t size = filtration.spectrum_size();
   const auto number = [&](double x) { return finite(x, missing); };
   Json json;
-  json["input"] = {{"file", input.reading.file},
-                   {"format", input.reading.format},
-                   {"sites", points.size()},
-                   {"decimals", points.decimals() ? Json(*points.decimals()) : Json()},
-                   {"radii", input.reading.radii},
-                   {"notes", input.reading.notes}};
+  json["input"] = input_json(input);
   json["dimension"] = D;
   json["affine_dimension"] = triangulation.affine_dimension();
   json["distinct_sites"] = triangulation.distinct_site_count();
@@ -134,33 +120,6 @@ Json json_report(const Loaded& input, const orthoball::Filtration<D>& filtration
                           {"length", D == 3 ? number(s.length) : Json()}});
   }
   return json;
-}
-
-// One key a line; of an array of objects one object.
-std::string json_report_text(const Json& json) {
-  std::vector<std::string> lines;
-  for (const auto& [key, value] : json.items()) {
-    std::string text = json_text(value);
-    if (value.is_array() && !value.empty() && value[0].is_object()) {
-      std::vector<std::string> objects;
-      for (const Json& object : value) objects.push_back(json_text(object));
-      text = fmt::format("[\n    {}\n  ]", fmt::join(objects, ",\n    "));
-    }
-    lines.push_back(fmt::format("  {}: {}", json_text(Json(key)), text));
-  }
-  return fmt::format("{{\n{}\n}}\n", fmt::join(lines, ",\n"));
-}
-
-std::string line(const std::string& label, const std::string& text) {
-  return fmt::format("{:<17}{}\n", label, text);
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  return fmt::format("{}", fmt::join(words, ", "));
-}
-
-std::string number_text(double number) {
-  return std::isfinite(number) ? fmt::format("{}", number + 0.0) : "beyond double range";
 }
 
 // 7 of the rows at most, and how many there are.
@@ -209,19 +168,14 @@ std::string notable_text(const std::vector<orthoball::NotableAlpha>& notables) {
 template <int D>
 std::string at_text(const Facts<D>& facts, const std::string& area_unit,
                     const std::string& volume_unit) {
-  const std::vector<std::string> nouns{"component", "tunnel", "void"};
   std::string text;
   for (std::size_t i = 0; i < facts.at.size(); ++i) {
     const auto& s = facts.at[i];
-    std::vector<std::string> words;
-    for (std::size_t k = 0; k < D; ++k) {
-      words.push_back(orthoball::counted(s.betti[k], nouns[k]));
-    }
     text += "\nat " + text_of(facts.asked[i]) + "\n";
-    text += line("  betti", joined(words));
-    text += line(D == 3 ? "  volume" : "  area", number_text(s.volume) + volume_unit);
-    text +=
-        line(D == 3 ? "  area" : "  perimeter", number_text(s.area) + area_unit + ", two-sided");
+    text += report_line("  betti", betti_text(s.betti));
+    text += report_line(D == 3 ? "  volume" : "  area", number_text(s.volume) + volume_unit);
+    text += report_line(D == 3 ? "  area" : "  perimeter",
+                        number_text(s.area) + area_unit + ", two-sided");
   }
   return text;
 }
@@ -229,7 +183,6 @@ std::string at_text(const Facts<D>& facts, const std::string& area_unit,
 template <int D>
 std::string text_report(const Loaded& input, const orthoball::Filtration<D>& filtration,
                         const Facts<D>& facts) {
-  const auto& points = input.shapes.points();
   const auto& triangulation = filtration.triangulation();
   const std::uint32_t size = filtration.spectrum_size();
   const auto unit = [&](const char* power) {
@@ -237,35 +190,31 @@ std::string text_report(const Loaded& input, const orthoball::Filtration<D>& fil
   };
   const std::string area_unit = unit(D == 3 ? "²" : ""), volume_unit = unit(D == 3 ? "³" : "²");
 
-  std::string text = line("input", input.reading.file + " (" + input.reading.format + ")");
-  text += line("sites", fmt::format("{} in {}", points.size(), D == 3 ? "space" : "the plane"));
-  text += line("numbers", points.decimals() ? fmt::format("exact decimals, {} after the point",
-                                                          *points.decimals())
-                                            : std::string("doubles"));
-  text += line("radii", input.reading.radii);
-  for (const std::string& note : input.reading.notes) text += line("note", note);
+  std::string text = input_text(input);
   constexpr const char* kSpans[] = {"none", "a point", "a line", "a plane", "space"};
   if (triangulation.affine_dimension() < D) {
-    text += line("the sites span", kSpans[triangulation.affine_dimension() + 1]);
+    text += report_line("the sites span", kSpans[triangulation.affine_dimension() + 1]);
   }
-  text += line("distinct sites", fmt::format("{}", triangulation.distinct_site_count()));
-  text += line("duplicates", rows_text(triangulation.duplicates(), [](const auto& d) {
-                 return fmt::format("{} = {}", d.row.row(), d.representative.row());
-               }));
-  text += line("hidden", rows_text(triangulation.hidden(), [&](auto row) {
-                 return std::to_string(row.row()) + atom_text(input.reading.labels, row.row());
-               }));
-  text += line("simplices", counts_text(facts.simplices));
-  text += line("attached", counts_text(std::span(facts.attached).first(D)));
+  text += report_line("distinct sites", fmt::format("{}", triangulation.distinct_site_count()));
+  text += report_line("duplicates", rows_text(triangulation.duplicates(), [](const auto& d) {
+                        return fmt::format("{} = {}", d.row.row(), d.representative.row());
+                      }));
   text +=
-      line("spectrum", size == 0 ? std::string("empty: there are no sites")
-                                 : fmt::format("{} distinct alpha2 from {} to {}{}", size,
-                                               number_text(filtration.alpha2(1)),
-                                               number_text(filtration.alpha2(size)), unit("²")));
-  text += line(D == 3 ? "hull volume" : "hull area", number_text(facts.hull.volume) + volume_unit);
-  text += line(D == 3 ? "hull area" : "hull perimeter",
-               number_text(facts.hull.area) + area_unit +
-                   (triangulation.affine_dimension() < D ? ", two-sided" : ""));
+      report_line("hidden", rows_text(triangulation.hidden(), [&](auto row) {
+                    return std::to_string(row.row()) + atom_text(input.reading.labels, row.row());
+                  }));
+  text += report_line("simplices", counts_text(facts.simplices));
+  text += report_line("attached", counts_text(std::span(facts.attached).first(D)));
+  text += report_line("spectrum",
+                      size == 0 ? std::string("empty: there are no sites")
+                                : fmt::format("{} distinct alpha2 from {} to {}{}", size,
+                                              number_text(filtration.alpha2(1)),
+                                              number_text(filtration.alpha2(size)), unit("²")));
+  text += report_line(D == 3 ? "hull volume" : "hull area",
+                      number_text(facts.hull.volume) + volume_unit);
+  text += report_line(D == 3 ? "hull area" : "hull perimeter",
+                      number_text(facts.hull.area) + area_unit +
+                          (triangulation.affine_dimension() < D ? ", two-sided" : ""));
   if (size > 0) text += notable_text(facts.notable);
   return text + at_text(facts, area_unit, volume_unit);
 }

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "orthoball/output/ball_tables.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <sstream>
+#include <string>
+
+#include "unit/output/shapes.h"
+
+namespace orthoball {
+namespace {
+
+// Four rows: two atoms of a residue, one of another, and an imaginary ball.
+WeightedPoints points() {
+  return WeightedPoints::fixed_point(2, 1, {0, 0, 1, 0, 2, 0, 9, 9}, WeightKind::radius,
+                                     {17, 15, 12, -5});
+}
+
+SiteLabels labels() {
+  SiteLabels labels;
+  labels.chain = {"A", "B,1", "A", ""};
+  labels.residue = {"ALA", "GLY", "ALA", ""};
+  labels.residue_id = {"12", "7A", "12", ""};
+  labels.atom = {"CA", "H5\"", "CB", ""};
+  labels.element = {"C", "H", "C", "Xe"};
+  return labels;
+}
+
+UnionOfBalls balls() {
+  UnionOfBalls balls;
+  balls.areas = {1.5, 0.25, 2, 0};
+  balls.volumes = {4, 0.5, 8, 0};
+  balls.contacts = {{{SiteId(0), SiteId(2)}, 0.75, 1.25}, {{SiteId(1), SiteId(2)}, 3, 0}};
+  return balls;
+}
+
+TEST(BallTable, HasALineForEveryRow) {
+  EXPECT_EQ(written([](ByteSink& s) { write_balls_csv(s, balls(), points(), labels()); }),
+            "row,chain,residue,atom,element,radius,area,volume\n"
+            "0,A,ALA 12,CA,C,1.7,1.5,4\n"
+            "1,\"B,1\",GLY 7A,\"H5\"\"\",H,1.5,0.25,0.5\n"
+            "2,A,ALA 12,CB,C,1.2,2,8\n"
+            "3,,,,Xe,,0,0\n");
+}
+
+TEST(BallTable, LeavesWhatIsNotKnownEmpty) {
+  UnionOfBalls union_of_two;
+  union_of_two.alpha2 = 2.25;
+  union_of_two.areas = {1, 1};
+  union_of_two.volumes = {2, -0.0};
+  const WeightedPoints bare(3, {0, 0, 0, 1, 1, 1}, WeightKind::none, {});
+  EXPECT_EQ(written([&](ByteSink& s) { write_balls_csv(s, union_of_two, bare, {}); }),
+            "row,chain,residue,atom,element,radius,area,volume\n"
+            "0,,,,,1.5,1,2\n"
+            "1,,,,,1.5,1,0\n");
+}
+
+TEST(BallTable, CountsNumbersBeyondTheDoubleRange) {
+  UnionOfBalls huge = balls();
+  huge.volumes[0] = std::numeric_limits<double>::infinity();
+  std::ostringstream out;
+  ByteSink sink(out);
+  write_balls_csv(sink, huge, points(), labels());
+  EXPECT_EQ(sink.missing_count(), 1U);
+  EXPECT_NE(out.str().find("1.7,1.5,\n"), std::string::npos);
+}
+
+TEST(ResidueTable, SumsInTheOrderOfFirstAppearance) {
+  EXPECT_EQ(written([](ByteSink& s) { write_residues_csv(s, balls(), labels()); }),
+            "chain,residue,atoms,area,volume\n"
+            "A,ALA 12,2,3.5,12\n"
+            "\"B,1\",GLY 7A,1,0.25,0.5\n"
+            ",,1,0,0\n");
+  EXPECT_EQ(written([](ByteSink& s) { write_residues_csv(s, balls(), {}); }),
+            "chain,residue,atoms,area,volume\n"
+            ",,4,3.75,12.5\n");
+}
+
+TEST(ContactTable, HasALineForEveryPair) {
+  EXPECT_EQ(written([](ByteSink& s) { write_contacts_csv(s, balls().contacts); }),
+            "row_1,row_2,area,exposed\n"
+            "0,2,0.75,1.25\n"
+            "1,2,3,0\n");
+}
+
+TEST(DerivativeTable, HasAsManyAxesAsThereAre) {
+  UnionOfBalls moved = balls();
+  moved.areas = {1.5, 2};
+  moved.derivatives = {{0.5, -1}, {1, 2, 3, 4}, {-0.0, 6, 7, 8}};
+  EXPECT_EQ(written([&](ByteSink& s) { write_derivatives_csv(s, moved, 2); }),
+            "row,area_by_radius,volume_by_radius,volume_by_x,volume_by_y,area_by_x,area_by_y\n"
+            "0,0.5,1.5,1,2,0,6\n"
+            "1,-1,2,3,4,7,8\n");
+  moved.derivatives = {{0.5}, {1, 2, 3}, {4, 5, 6}};
+  EXPECT_EQ(written([&](ByteSink& s) { write_derivatives_csv(s, moved, 3); }),
+            "row,area_by_radius,volume_by_radius,volume_by_x,volume_by_y,volume_by_z,area_by_x,"
+            "area_by_y,area_by_z\n"
+            "0,0.5,1.5,1,2,3,4,5,6\n");
+}
+
+}  // namespace
+}  // namespace orthoball
