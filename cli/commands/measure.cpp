@@ -22,7 +22,9 @@
 #include "orthoball/measures/union_of_balls.h"
 #include "orthoball/output/alpha_text.h"
 #include "orthoball/output/ball_tables.h"
+#include "orthoball/output/void_table.h"
 #include "orthoball/points/probe.h"
+#include "orthoball/queries/voids.h"
 #include "orthoball/topology/betti.h"
 
 namespace {
@@ -36,7 +38,7 @@ struct MeasureOptions {
   std::string output = "-";
   std::string format;  // text, json; empty: from the name of the output
   bool json = false;
-  std::string per_atom, per_residue, contacts, derivatives;
+  std::string per_atom, per_residue, contacts, voids, derivatives;
 };
 
 bool is_json(const MeasureOptions& options) {
@@ -55,6 +57,7 @@ std::vector<Output> tables(const MeasureOptions& options) {
   add("--per-atom", options.per_atom);
   add("--per-residue", options.per_residue);
   add("--contacts", options.contacts);
+  add("--voids", options.voids);
   add("--derivatives", options.derivatives);
   return tables;
 }
@@ -150,8 +153,30 @@ struct Measured {
   orthoball::ProbeRadius probe;
   orthoball::UnionOfBalls balls;
   orthoball::BettiNumbers<D> betti;
+  std::vector<orthoball::Void<D>> voids;
   BallCounts counts;
 };
+
+template <int D>
+Json json_of(const orthoball::Void<D>& hole, std::size_t& missing) {
+  const auto number = [&](double x) { return finite(x, missing); };
+  Json atoms = Json::array(), atom_areas = Json::array(), centre = Json::array();
+  for (const orthoball::LiningBall& ball : hole.lining) {
+    atoms.push_back(ball.row.row());
+    atom_areas.push_back(number(ball.area));
+  }
+  for (const double x : hole.largest_ball_centre) centre.push_back(number(x));
+  Json json;
+  json["volume"] = number(hole.volume);
+  json["area"] = number(hole.area);
+  json["atoms"] = std::move(atoms);
+  json["atom_areas"] = std::move(atom_areas);
+  json["born"] = number(hole.born_alpha2);
+  json["dies"] = number(hole.dies_alpha2);
+  json["largest_ball"]["centre"] = std::move(centre);
+  json["largest_ball"]["radius"] = number(hole.largest_ball_radius);
+  return json;
+}
 
 template <int D>
 Json json_report(const Loaded& input, const Measured<D>& measured, std::size_t& missing) {
@@ -177,7 +202,11 @@ Json json_report(const Loaded& input, const Measured<D>& measured, std::size_t& 
                    {"hidden", counts.hidden},
                    {"duplicates", counts.duplicates},
                    {"empty", counts.empty}};
-  json["void_count"] = measured.betti[D - 1];
+  json["void_count"] = measured.voids.size();
+  json["voids"] = Json::array();
+  for (const orthoball::Void<D>& hole : measured.voids) {
+    json["voids"].push_back(json_of(hole, missing));
+  }
   return json;
 }
 
@@ -194,6 +223,33 @@ std::string counts_text(const BallCounts& counts) {
   return joined(words);
 }
 
+// The first of the voids, a line each.
+template <int D>
+std::string voids_text(const std::vector<orthoball::Void<D>>& voids, const std::string& unit) {
+  if (voids.empty()) return {};
+  constexpr std::size_t kShown = 7;
+  const auto head = [&](const std::string& what, const char* power) {
+    return unit.empty() ? what : fmt::format("{} [{}{}]", what, unit, power);
+  };
+  const auto row = [](const auto& first, const std::string& volume, const std::string& area,
+                      const auto& balls, const std::string& radius) {
+    return fmt::format("{:<7}{:>22} {:>22} {:>6} {:>26}\n", first, volume, area, balls, radius);
+  };
+  std::string text = "\n" + (D == 3 ? row("voids", head("volume", "³"), head("area", "²"), "balls",
+                                          head("largest ball inside", ""))
+                                    : row("holes", head("area", "²"), head("perimeter", ""),
+                                          "disks", head("largest disk inside", "")));
+  for (std::size_t i = 0; i < std::min(voids.size(), kShown); ++i) {
+    const orthoball::Void<D>& hole = voids[i];
+    text += row(fmt::format("  {}", i + 1), number_text(hole.volume), number_text(hole.area),
+                hole.lining.size(), number_text(hole.largest_ball_radius));
+  }
+  if (voids.size() > kShown) {
+    text += fmt::format("  and {} smaller; --voids FILE lists all\n", voids.size() - kShown);
+  }
+  return text;
+}
+
 template <int D>
 std::string text_report(const Loaded& input, const Measured<D>& measured) {
   const auto unit = [&](const char* power) {
@@ -205,14 +261,18 @@ std::string text_report(const Loaded& input, const Measured<D>& measured) {
     text += report_line("probe", number_text(measured.probe.nearest) + unit(""));
   }
   text += report_line("at", text_of(measured.at));
-  text += report_line(input.reading.is_molecule ? "atoms" : "balls", counts_text(measured.counts));
+  text += report_line(input.reading.is_molecule ? "atoms"
+                      : D == 3                  ? "balls"
+                                                : "disks",
+                      counts_text(measured.counts));
   text +=
       report_line(D == 3 ? "volume" : "area", number_text(balls.volume) + unit(D == 3 ? "³" : "²"));
   text +=
       report_line(D == 3 ? "area" : "perimeter", number_text(balls.area) + unit(D == 3 ? "²" : ""));
   if (D == 3) text += report_line("mean curvature", number_text(balls.mean_curvature) + unit(""));
   text += report_line("euler", fmt::format("{}", balls.euler));
-  return text + report_line("betti", betti_text(measured.betti));
+  text += report_line("betti", betti_text(measured.betti));
+  return text + voids_text(measured.voids, input.unit());
 }
 
 template <int D>
@@ -230,6 +290,8 @@ void write_tables(const MeasureOptions& options, const Loaded& input, const Meas
         [&](orthoball::ByteSink& sink) { write_residues_csv(sink, balls, labels); });
   write(options.contacts,
         [&](orthoball::ByteSink& sink) { write_contacts_csv(sink, balls.contacts); });
+  write(options.voids,
+        [&](orthoball::ByteSink& sink) { orthoball::write_voids_csv<D>(sink, measured.voids); });
   write(options.derivatives,
         [&](orthoball::ByteSink& sink) { write_derivatives_csv(sink, balls, D); });
 }
@@ -263,7 +325,8 @@ Measured<D> measure(const MeasureOptions& options, const Loaded& input,
                     const orthoball::ProbeRadius& probe,
                     const orthoball::Filtration<D>& filtration) {
   const std::uint64_t sites = filtration.triangulation().site_count();
-  const std::uint64_t of_derivatives = options.derivatives.empty() ? 0 : 8 * (4 * D + 2) * sites;
+  const std::uint64_t of_derivatives =
+      options.derivatives.empty() ? 0 : 8 * std::uint64_t{4 * D + 2} * sites;
   const std::uint64_t of_contacts =
       options.contacts.empty() ? 0 : 2 * sizeof(orthoball::Contact) * filtration.count(1);
   require_memory(options.input, 100 * sites + of_derivatives + of_contacts, "the measures");
@@ -273,7 +336,11 @@ Measured<D> measure(const MeasureOptions& options, const Loaded& input,
       filtration, at.index, at.alpha2,
       {!options.contacts.empty(), !options.derivatives.empty(), threads});
   const BallCounts counts = ball_counts(input, filtration, balls);
-  return {at, probe, std::move(balls), orthoball::betti_numbers<D>(filtration, at.index, threads),
+  return {at,
+          probe,
+          std::move(balls),
+          orthoball::betti_numbers<D>(filtration, at.index, threads),
+          orthoball::voids<D>(filtration, at.index, at.alpha2, orthoball::VoidsOf::balls, threads),
           counts};
 }
 
@@ -329,6 +396,7 @@ void add_output_options(CLI::App& command, MeasureOptions& options) {
   table("--per-atom", options.per_atom, "area and volume of every ball's part, as CSV");
   table("--per-residue", options.per_residue, "the same summed by residue, as CSV");
   table("--contacts", options.contacts, "pairs of balls with the area of their contact, as CSV");
+  table("--voids", options.voids, "voids with the balls around them, as CSV");
   table("--derivatives", options.derivatives,
         "of area and volume by every radius and centre, as CSV");
 }
@@ -338,7 +406,7 @@ void add_output_options(CLI::App& command, MeasureOptions& options) {
 void add_measure_command(CLI::App& app) {
   auto options = std::make_shared<MeasureOptions>();
   CLI::App* command = app.add_subcommand(
-      "measure", "Volume, area and voids of the union of balls, and every ball's part in it.");
+      "measure", "Volume, area and voids of the union of balls, and every ball's part.");
   command
       ->add_option("--probe", options->probe,
                    "radius R of a probe [length]: every radius r becomes r + R")
@@ -358,6 +426,8 @@ void add_measure_command(CLI::App& app) {
       "[length^2], volume [length^3]. --per-residue: chain, residue, atoms, area, volume.\n"
       "--contacts: row_1, row_2, area of the common facet of their power cells inside the union,\n"
       "exposed [length], how much of the circle in which they meet is on the surface.\n"
+      "--voids: void, volume, area, atoms (the rows of the balls around it), born, dies [alpha2],\n"
+      "x, y, z and radius of the largest ball inside. A void lives from alpha2 born to dies.\n"
       "--derivatives: row, area_by_radius, volume_by_radius, volume_by_x.., area_by_x...\n"
       "--alpha2 auto is explained in shape --help.\n\n"
       "Examples:\n"

@@ -11,6 +11,7 @@
 #include "orthoball/parallel.h"
 // points, input
 #include "orthoball/input/read.h"
+#include "orthoball/points/probe.h"
 #include "orthoball/points/weighted_points.h"
 // triangulation
 #include "orthoball/triangulation/build.h"
@@ -35,11 +36,13 @@
 #include "orthoball/queries/pockets.h"
 #include "orthoball/queries/voids.h"
 // output
+#include "orthoball/output/ball_tables.h"
 #include "orthoball/output/byte_sink.h"
 #include "orthoball/output/mesh.h"
 #include "orthoball/output/planar_shape.h"
 #include "orthoball/output/shape_mesh.h"
 #include "orthoball/output/signature_plot.h"
 #include "orthoball/output/tables.h"
+#include "orthoball/output/void_table.h"
 // all of them, the dimension chosen at run time
 #include "orthoball/alpha_shapes.h"
