@@ -232,6 +232,23 @@ TEST(MeetingHeight, IsNothingWhereSpheresJustMeet) {
   EXPECT_LT(meeting_height(sphere(a.x, up), sphere(b.x, up), sphere(c.x, up)), 1e-7);
 }
 
+TEST(LensFrame, TellsWhereAThirdLiesFromTheNearerCentre) {
+  const Vector e{1.0 / 3, 2.0 / 3, 2.0 / 3};
+  const Sphere<3> a = sphere({0, 0, 0}, 1), b = sphere(e, 1);
+  const LensFrame frame(a, b), back(b, a);
+  for (const double close : {1e-3, 1e-9, 1e-14}) {
+    Sphere<3> c = b;
+    c.x[0] += close;
+    const double off = c.x[0] - b.x[0];  // rounded
+    const Beyond one = frame.beyond(c), other = back.beyond(c);
+    EXPECT_NEAR(one.along[1] / off, -1.0 / 3, 1e-15);
+    EXPECT_NEAR(one.along[0] + one.along[1], frame.lens().distance, 1e-15);
+    EXPECT_NEAR(std::hypot(one.apex.x, one.apex.y) / off, std::sqrt(8.0) / 3, 1e-15);
+    EXPECT_NEAR(one.level / other.level, 1.0, 1e-14);
+    EXPECT_NEAR(one.along[1] / other.along[0], 1.0, 1e-14);
+  }
+}
+
 TEST(LensFrame, PutsChordsBackIntoTheDisk) {
   const Sphere<3> a = sphere({0, 0, 0}, 1), b = sphere({0, 0, 1}, 1);
   const LensFrame frame(a, b);
