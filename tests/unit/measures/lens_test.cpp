@@ -223,6 +223,23 @@ TEST(MeetingHeight, IsTheSameForAllThreePairs) {
   }
 }
 
+// A small ball about a point of the circle of radius 4 of two others: that circle is at right
+// angles to the axis, and points at distance r on it are r^2 / 8 below the small ball's centre.
+TEST(MeetingHeight, IsToldByTheSmallestCircle) {
+  const Sphere<3> a = sphere({-3, 0, 0}, 5), b = sphere({3, 0, 0}, 5);
+  for (double r = 1.0; r > 1e-12; r /= 10) {
+    const Sphere<3> c = sphere({0, 4, 0}, r);
+    const double expected = r * std::sqrt(1 - r * r / 64);
+    const double rounding = 1e-14 + std::pow(1e-15 / r, 2);  // of 5, at right angles
+    EXPECT_NEAR(meeting_height(a, b, c) / expected, 1.0, rounding);
+    EXPECT_NEAR(meeting_height(a, c, b) / expected, 1.0, rounding);
+    EXPECT_NEAR(meeting_height(c, a, b) / expected, 1.0, rounding);
+    const LensFrame frame(a, b);
+    const Chord chord = frame.chord(frame.beyond(c), meeting_height(a, b, c));
+    EXPECT_NEAR(std::hypot(chord.height, chord.half), 4.0, 1e-15);
+  }
+}
+
 TEST(MeetingHeight, IsNothingWhereSpheresJustMeet) {
   // Points at distance 1 from a centre in their plane, radii 1 and off by one unit in the last
   // place.
