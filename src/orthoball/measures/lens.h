@@ -230,16 +230,24 @@ class LensFrame {
   }
 
   /// Where two lines cross: the orthocentre of the four balls, seen along the axis. The second apex
-  /// is counterclockwise of the first.
+  /// is counterclockwise of the first. Of a tetrahedron that is nearly flat the lines are nearly
+  /// one, and where on it they cross is all rounding: the point is on both in any case, and in the
+  /// disk.
   [[nodiscard]] InLens crossing(const Beyond& a, const Beyond& b) const {
-    const double size = 1.0 / cross(a.apex, b.apex);
-    const InLens at{(a.level * b.apex.y - b.level * a.apex.y) * size,
-                    (b.level * a.apex.x - a.level * b.apex.x) * size};
-    const double off2 = dot(at, at);
-    if (off2 <= lens_.radius2) return at;
-    if (!std::isfinite(off2)) return {};
-    const double back = lens_.radius / std::sqrt(off2);
-    return {at.x * back, at.y * back};
+    const double off2 = dot(a.apex, a.apex);
+    const double scale = off2 > 0.0 ? a.level / off2 : 0.0;
+    InLens foot{a.apex.x * scale, a.apex.y * scale};
+    double along = (b.level - dot(foot, b.apex)) / cross(a.apex, b.apex);
+    const double room2 = lens_.radius2 - dot(foot, foot);
+    if (!(along * along * off2 <= room2)) {  // also where it is no number
+      const double most = room2 > 0.0 ? std::sqrt(room2 / off2) : 0.0;
+      along = along > 0.0 ? most : -most;
+      if (room2 < 0.0) {
+        const double back = std::sqrt(lens_.radius2 / dot(foot, foot));
+        foot = {foot.x * back, foot.y * back};
+      }
+    }
+    return {foot.x - along * a.apex.y, foot.y + along * a.apex.x};
   }
 
   /// Half the solid angle, at the centre of one of the two balls, of the tetrahedron from the three

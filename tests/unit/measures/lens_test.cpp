@@ -297,7 +297,7 @@ TEST(LensFrame, CrossesLinesAtTheOrthocentre) {
     if (cross(behind.apex, ahead.apex) < 0.05 || frame.lens().radius == 0.0) continue;
     const InLens meeting = frame.crossing(behind, ahead);
     const double off2 = orthoball::dot(meeting, meeting);
-    EXPECT_LE(off2, frame.lens().radius2 * (1 + 1e-15));
+    EXPECT_LE(off2, frame.lens().radius2 * (1 + 1e-12));
     if (off2 > frame.lens().radius2 * (1 - 1e-12)) continue;  // put back
     ++inside;
     const Vector centre = in_space(frame, balls[0], meeting);
@@ -310,17 +310,38 @@ TEST(LensFrame, CrossesLinesAtTheOrthocentre) {
 
 TEST(LensFrame, PutsCrossingsBackIntoTheDisk) {
   const LensFrame frame(sphere({0, 0, 0}, 1), sphere({0, 0, 1}, 1));
+  const double radius = frame.lens().radius;
   Beyond x, y;
   x.apex = {1, 0};
-  x.level = 30;
+  x.level = 0.5;
   y.apex = {0, 1};
   y.level = 40;
+  const InLens on_line = frame.crossing(x, y);  // as far along the first line as the disk goes
+  EXPECT_NEAR(on_line.x, 0.5, 1e-15);
+  EXPECT_NEAR(on_line.y, std::sqrt(radius * radius - 0.25), 1e-15);
+  x.level = 30;
   const InLens back = frame.crossing(x, y);
-  EXPECT_NEAR(back.x, 0.6 * frame.lens().radius, 1e-15);
-  EXPECT_NEAR(back.y, 0.8 * frame.lens().radius, 1e-15);
-  const InLens parallel = frame.crossing(x, x);  // of a cell flat to the last bit
-  EXPECT_EQ(parallel.x, 0.0);
-  EXPECT_EQ(parallel.y, 0.0);
+  EXPECT_NEAR(back.x, radius, 1e-15);
+  EXPECT_NEAR(back.y, 0.0, 1e-15);
+}
+
+TEST(LensFrame, CrossesLinesThatAreNearlyOneOnBoth) {
+  Random random(8);
+  const LensFrame frame(sphere({0, 0, 0}, 1), sphere({0, 0, 1}, 1));
+  for (int i = 0; i < 1000; ++i) {
+    const double turn = random.uniform(0, 6.28), off = random.uniform(0.1, 3);
+    const double height = random.uniform(-0.8, 0.8), flat = random.coin() ? 1e-16 : 1e-13;
+    Beyond a, b;
+    a.apex = {off * std::cos(turn), off * std::sin(turn)};
+    a.level = off * height;
+    const double scale = random.uniform(0.2, 5);
+    b.apex = {scale * a.apex.x + flat * random.normal(), scale * a.apex.y + flat * random.normal()};
+    b.level = scale * a.level + flat * random.normal();
+    const InLens meeting = frame.crossing(a, b);
+    EXPECT_LE(orthoball::dot(meeting, meeting), frame.lens().radius2 * (1 + 1e-14));
+    EXPECT_NEAR(orthoball::dot(meeting, a.apex), a.level, 1e-14);
+    EXPECT_NEAR(orthoball::dot(meeting, b.apex), b.level, 20 * flat + 1e-14);
+  }
 }
 
 // The solid angle of the tetrahedron at one corner, by Van Oosterom and Strackee's formula.

@@ -568,5 +568,18 @@ TEST(UnionOfBalls, OfExtremeNumbersIsNeverNaN) {
   }
 }
 
+TEST(UnionOfBalls, OfANearlyFlatTetrahedron) {
+  // Four balls on one circle, as in a hexagon of carbon atoms, flat but for the last bits: where
+  // in its plane the orthocentre lies is all rounding. The same with five decimals has no such
+  // cell.
+  const std::vector<double> x{-0.6461538461538461, 3.2033406561085972, -1.4033201447963801,
+                              0.6461538461538461,  2.9499469909502262, -1.8784332669683257,
+                              -1.5599015384615384, 1.4265406153846154, -2.8600538461538461,
+                              -0.2168246153846154, 1.1631921990950226, -3.3538321266968326};
+  const UnionOfBalls balls = union_of_equal(x, 1.7);
+  EXPECT_NEAR(balls.volume, 61.6963612419, 1e-9);  // by slices
+  EXPECT_NEAR(balls.area, 86.2215341214, 1e-9);
+}
+
 }  // namespace
 }  // namespace orthoball
