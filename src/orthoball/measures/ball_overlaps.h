@@ -10,8 +10,8 @@ namespace orthoball {
 /// A ball in space or a disk in the plane.
 template <int D>
 struct Ball {
-  std::array<double, std::size_t{D}> centre{};
-  double radius = 0.0;  ///< >= 0, in the unit of the centre
+  std::array<double, std::size_t{D}> centre{};  ///< [axis]
+  double radius = 0.0;                          ///< >= 0, in the unit of the centre
 };
 
 /// What 1 to D + 1 balls have in common, and the part of it that each of them bounds.

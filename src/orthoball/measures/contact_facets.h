@@ -119,6 +119,7 @@ void for_each_facet(const ContactFacets<D>& facets, std::span<const SimplexId> e
   }
 }
 
+// Each dimension has its own of these, defined in contact_facets.cpp.
 template <>
 void ContactFacets<2>::find_heights(Threads threads);
 template <>

@@ -13,8 +13,8 @@ namespace orthoball {
 /// A ball or disk as what is measured sees it. Any unit of length.
 template <int D>
 struct Sphere {
-  std::array<double, std::size_t{D}> x{};
-  double weight = 0.0;  ///< radius^2, but for a number that is the same for all
+  std::array<double, std::size_t{D}> x{};  ///< [axis]: the centre
+  double weight = 0.0;                     ///< radius^2, but for a number that is the same for all
   double radius = 0.0;
 };
 
@@ -23,6 +23,7 @@ struct Sphere {
 struct HalfPlane {
   double x = 1.0, y = 0.0;
 };
+/// That angle, in [0, pi] radians.
 [[nodiscard]] inline double angle(HalfPlane vector) {
   return angle_from_x_axis(vector.x, vector.y);
 }
@@ -123,6 +124,7 @@ template <int D>
 struct InLens {
   double x = 0.0, y = 0.0;
 };
+/// The inner product.
 [[nodiscard]] inline double dot(InLens a, InLens b) { return a.x * b.x + a.y * b.y; }
 /// Positive where b is counterclockwise of a.
 [[nodiscard]] inline double cross(InLens a, InLens b) { return a.x * b.y - a.y * b.x; }

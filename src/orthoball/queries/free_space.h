@@ -37,6 +37,7 @@ struct FreePart {
 template <int D>
 class FreeSpace {
  public:
+  /// [corner]: the balls of a cell, in the order of its vertices.
   using Corners = std::array<Sphere<D>, std::size_t{D} + 1>;
 
   /// @param alpha2  length^2 in input units.
@@ -68,6 +69,7 @@ class FreeSpace {
   ContactFacets<D> balls_;
 };
 
+// Each dimension has its own, defined in free_space.cpp.
 template <>
 double FreeSpace<2>::part_of_facet(SimplexId facet) const;
 template <>

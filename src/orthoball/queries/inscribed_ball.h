@@ -12,8 +12,8 @@ namespace orthoball {
 /// A ball that touches others from outside.
 template <int D>
 struct InscribedBall {
-  std::array<double, std::size_t{D}> centre{};
-  double radius = 0.0;  ///< < 0 where the centre is inside another ball
+  std::array<double, std::size_t{D}> centre{};  ///< [axis]
+  double radius = 0.0;                          ///< < 0 where the centre is inside another ball
 };
 
 /// The largest ball around a point that is in none of the balls.

@@ -12,6 +12,7 @@
 #include "orthoball/queries/voids.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <set>
 #include <span>
@@ -22,6 +23,8 @@
 #include "orthoball/measures/cell_gap.h"
 #include "orthoball/measures/compensated_sum.h"
 #include "orthoball/queries/inscribed_ball.h"
+#include "orthoball/radix_sort.h"
+#include "orthoball/raw_vector.h"
 #include "orthoball/topology/union_find.h"
 
 namespace orthoball {
@@ -96,23 +99,18 @@ class Complement {
     if (voids.empty()) return;
     std::map<std::uint32_t, std::size_t> unborn;  // by the last cell
     for (std::size_t i = 0; i < voids.size(); ++i) unborn[voids[i].last] = i;
-    std::vector<std::uint32_t> facets;
+    RawVector<KeyedRow> facets;  // the last to enter first
     for (std::uint32_t facet = 0; facet < enters_of_facet_.size(); ++facet) {
-      if (enters_of_facet_[facet] <= index_) facets.push_back(facet);
+      const std::uint32_t enters = enters_of_facet_[facet];
+      if (enters <= index_) facets.push_back({std::uint64_t{~enters} << 32U | ~facet, facet});
     }
-    // Most voids have been born shortly before, so the facets are not all sorted.
-    const auto earlier = [&](std::uint32_t a, std::uint32_t b) {
-      return std::pair(enters_of_facet_[a], a) < std::pair(enters_of_facet_[b], b);
-    };
-    std::make_heap(facets.begin(), facets.end(), earlier);
-    while (!unborn.empty() && !facets.empty()) {
-      std::pop_heap(facets.begin(), facets.end(), earlier);
-      const auto born = unborn.find(join(facets.back()));
-      if (born != unborn.end()) {
-        voids[born->second].born = enters_of_facet_[facets.back()];
-        unborn.erase(born);
-      }
-      facets.pop_back();
+    radix_sort(facets);
+    for (const KeyedRow& facet : facets) {
+      if (unborn.empty()) break;
+      const auto born = unborn.find(join(facet.row));
+      if (born == unborn.end()) continue;
+      voids[born->second].born = enters_of_facet_[facet.row];
+      unborn.erase(born);
     }
   }
 
@@ -190,8 +188,18 @@ void VoidMeasures<D>::find_largest_ball(Void<D>& result) const {
   if (vertices.size() <= D) return;
   std::vector<Sphere<D>> balls;
   for (const VertexId vertex : vertices) balls.push_back(ball(vertex));
+  // From the cells with the largest orthoballs.
+  constexpr std::size_t kMostStarts = 64;
+  std::vector<SimplexId> starts = result.cells;
+  const std::size_t size = std::min(kMostStarts, starts.size());
+  std::partial_sort(starts.begin(), starts.begin() + static_cast<std::ptrdiff_t>(size),
+                    starts.end(), [&](SimplexId a, SimplexId b) {
+                      return std::pair(filtration_.enters(b), a) <
+                             std::pair(filtration_.enters(a), b);
+                    });
+  starts.resize(size);
   InscribedBall<D> largest{{}, -1.0};
-  for (const SimplexId cell : result.cells) {
+  for (const SimplexId cell : starts) {
     typename FreeSpace<D>::Corners corners;
     const auto of_cell = filtration_.vertices(cell);
     for (std::size_t i = 0; i <= D; ++i) corners[i] = ball(of_cell[i]);

@@ -27,8 +27,9 @@ struct Void {
   std::vector<SimplexId> cells;      ///< of the triangulation, outside the complex; ascending
   std::uint32_t born = 0, dies = 0;  ///< indices of the spectrum
   double born_alpha2 = 0.0, dies_alpha2 = 0.0;  ///< their labels; length^2
-  /// The largest ball that was found inside, touching D + 1 of the lining balls (a local search
-  /// from every cell); around a void of an alpha shape, the vertices are balls of radius 0.
+  /// The largest ball that was found inside, touching D + 1 of the lining balls, by a local search
+  /// from the cells with the largest orthoballs: the largest there is where balls are of similar
+  /// size. Around a void of an alpha shape, the vertices are balls of radius 0.
   std::array<double, std::size_t{D}> largest_ball_centre{};
   double largest_ball_radius = 0.0;  ///< length
 };
@@ -42,8 +43,7 @@ enum class VoidsOf {
 /// The voids at one index, largest first; equal volumes by the lowest row. Their number is betti
 /// D - 1 of the complex. Which cells are whose is exact; measures are as those of UnionOfBalls.
 ///
-/// Linear in the cells but for the search of the largest balls, which looks at all lining balls for
-/// every cell of a void.
+/// Linear in the simplices.
 /// @param alpha2  length^2, as for union_of_balls.
 /// @throws InputError for an index beyond the spectrum's size.
 /// @cite edelsbrunner_1995  @cite liang_1998_cavities
