@@ -19,8 +19,10 @@
 #include "cli/usage_error.h"
 #include "orthoball/counted.h"
 #include "orthoball/filtration/alpha.h"
+#include "orthoball/output/ball_signature_tables.h"
 #include "orthoball/output/signature_plot.h"
 #include "orthoball/output/tables.h"
+#include "orthoball/signatures/ball_signature.h"
 #include "orthoball/signatures/notable_alphas.h"
 #include "orthoball/signatures/signature.h"
 
@@ -30,6 +32,7 @@ struct SignaturesOptions {
   InputOptions input;
   AlphaOptions alpha;
   std::optional<std::uint32_t> samples;
+  bool balls = false;
   std::string output = "-";
   std::string format;  // csv, json, npz; empty: from the name of the output
   bool json = false;
@@ -78,9 +81,11 @@ class Table {
 // ends. None: every index.
 std::vector<ChosenAlpha> asked_for(const SignaturesOptions& options, const Loaded& input,
                                    std::uint32_t spectrum_size) {
+  constexpr std::uint32_t kSamplesOfBalls = 100;
   std::vector<ChosenAlpha> asked = chosen_alphas(options.alpha, input);
-  if (!options.samples) return asked;
-  const std::uint32_t count = std::min(*options.samples, spectrum_size);
+  const bool samples_balls = options.balls && !options.alpha.is_given();
+  if (!options.samples && !samples_balls) return asked;
+  const std::uint32_t count = std::min(options.samples.value_or(kSamplesOfBalls), spectrum_size);
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint64_t index =
         count == 1 ? spectrum_size
@@ -169,6 +174,29 @@ void write_table(const SignaturesOptions& options, const Loaded& input, Progress
   warn_of_missing(options.input, missing, format == "json" ? "null" : "an empty field");
 }
 
+// Unions of balls take as long as their boundaries are large, each: some alphas are wanted, not
+// all.
+template <int D>
+void write_balls_table(const SignaturesOptions& options, const Loaded& input,
+                       const orthoball::Filtration<D>& filtration) {
+  const std::vector<ChosenAlpha> asked = asked_for(options, input, filtration.spectrum_size());
+  say_how(options.input, asked);
+  std::vector<orthoball::BallAlpha> alphas;
+  for (const ChosenAlpha& alpha : asked) alphas.push_back({alpha.index, alpha.alpha2});
+  const auto signatures =
+      orthoball::ball_signatures<D>(filtration, alphas, threads_of(options.input));
+  std::vector<orthoball::BallSignatureRow<D>> rows;
+  for (std::size_t i = 0; i < asked.size(); ++i) rows.push_back({signatures[i], asked[i].alpha});
+  const std::string format = format_of(options);
+  const std::size_t missing =
+      write_output(options.output, format == "json" ? "null" : "", [&](orthoball::ByteSink& sink) {
+        if (format == "csv") write_ball_signatures_csv(sink, rows);
+        if (format == "json") write_ball_signatures_json(sink, rows);
+        if (format == "npz") write_ball_signatures_npz(sink, rows);
+      });
+  warn_of_missing(options.input, missing, format == "json" ? "null" : "an empty field");
+}
+
 void check_plot(const SignaturesOptions& options) {
   if (options.plot.empty()) return;
   if (is_same_output(options.plot, options.output)) {
@@ -188,6 +216,9 @@ void run(const SignaturesOptions& options) {
         "--samples spreads values over the spectrum; it excludes --alpha2, --alpha, "
         "--inverse-alpha and --index");
   }
+  if (options.balls && !options.plot.empty()) {
+    throw UsageError("--balls excludes --plot, which draws the signatures of the alpha shapes");
+  }
   check_plot(options);
   require_other_file(options.input, options.output);
   check(options.alpha, true);
@@ -200,6 +231,7 @@ void run(const SignaturesOptions& options) {
       [&](const auto& filtration) {
         require_memory(options.input, orthoball::signature_memory(filtration.size()),
                        "the signatures");
+        if (options.balls) return write_balls_table(options, input, filtration);
         if (!options.plot.empty()) write_plot(options, input, filtration);
         write_table(options, input, progress, filtration);
       },
@@ -257,6 +289,11 @@ void add_signatures_command(CLI::App& app) {
       ->type_name("N")
       ->check(whole_number(1, std::numeric_limits<std::uint32_t>::max()))
       ->group("Alpha");
+  command
+      ->add_flag("--balls", options->balls,
+                 "of the unions of balls of squared radius weight + alpha2 instead: volume,\n"
+                 "area, Betti and Euler numbers; without any alpha at 100 samples")
+      ->group("Balls");
   add_output_options(*command, *options);
   add_input_options(*command, options->input);
   command->footer(
@@ -265,10 +302,14 @@ void add_signatures_command(CLI::App& app) {
       "volume [length^3]; area_singular, area_regular, one-sided, and area, two-sided [length^2];\n"
       "length [length]: 4 pi times the mean width. In the plane volume is the area of the\n"
       "triangles, area the two-sided perimeter, and length is empty. An alpha2 counts as\n"
-      "reached: the complex at the index of the last entry that is not greater.\n\n"
+      "reached: the complex at the index of the last entry that is not greater.\n"
+      "With --balls: index, alpha2, alpha, betti_0.., euler, volume and area (in the plane area "
+      "and\n"
+      "perimeter) of the union.\n\n"
       "Examples:\n"
       "  orthoball signatures 1ubq.pdb -o ubiquitin.csv --plot ubiquitin.svg\n"
       "  orthoball signatures points.csv --alpha2 0.5,1,2 --json\n"
-      "  orthoball signatures bunny.off --samples 200 -o bunny.npz");
+      "  orthoball signatures bunny.off --samples 200 -o bunny.npz\n"
+      "  orthoball signatures 1ubq.pdb --balls --alpha2 0,1,2,4");
   command->callback([options] { run(*options); });
 }

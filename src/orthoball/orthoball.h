@@ -30,6 +30,7 @@
 #include "orthoball/measures/union_of_balls.h"
 #include "orthoball/topology/betti.h"
 // signatures
+#include "orthoball/signatures/ball_signature.h"
 #include "orthoball/signatures/notable_alphas.h"
 #include "orthoball/signatures/signature.h"
 // queries

@@ -100,6 +100,34 @@ class Summary(InAFolder):
             self.assertIn(word, text)
 
 
+class SignaturesOfBalls(InAFolder):
+    def rows(self, *arguments):
+        return json.loads(self.done("signatures", "--balls", "--json", *arguments).stdout)
+
+    def test_are_the_unions_that_measure_tells(self):
+        for sample, alphas in [(C60, ["-1", "0", "1", "20"]), (EIGHT, ["0.01", "3", "50000"])]:
+            rows = self.rows(sample, "--alpha2=" + ",".join(alphas))
+            self.assertEqual(len(rows), len(alphas))
+            for alpha2, row in zip(alphas, rows):
+                report = json.loads(
+                    self.done("measure", sample, "--json", "--alpha2=" + alpha2).stdout)
+                for key in ["index", "alpha2", "alpha", "betti", "euler"]:
+                    self.assertEqual(row[key], report[key])
+                for key in ["volume", "area"]:
+                    self.assertAlmostEqual(row[key] / report[key], 1, places=11)
+
+    def test_are_sampled_without_an_alpha(self):
+        self.assertEqual(len(self.rows(EIGHT)), 100)
+        self.assertEqual(len(self.rows(EIGHT, "--samples", "7")), 7)
+
+    def test_begin_with_no_balls(self):
+        rows = self.rows(C60, "--index", "0")
+        self.assertEqual((rows[0]["alpha2"], rows[0]["volume"], rows[0]["area"]), (None, 0, 0))
+
+    def test_have_no_plot(self):
+        self.refused(2, "signatures", C60, "--balls", "--plot", "plot.svg")
+
+
 class Signatures(InAFolder):
     def test_csv_has_the_promised_columns(self):
         for sample, dimension in [(C60, 3), (EIGHT, 2)]:
