@@ -4,7 +4,7 @@
 JOBS ?= $(shell nproc)
 SAMPLE ?= examples/data/bdna_dodecamer.pdb
 FUZZ_SECONDS ?= 60
-TSAN_TESTS ?= unit_orthoball unit_triangulation unit_filtration unit_topology unit_measures unit_signatures
+TSAN_TESTS ?= unit_orthoball unit_triangulation unit_filtration unit_topology unit_measures unit_signatures unit_queries laws
 ORTHOBALL = build/release/orthoball
 
 .PHONY: help demo build test test-long determinism bench bench-full bench-instructions sanitize tsan fuzz tidy coverage format docs samples clean
