@@ -24,6 +24,7 @@
 #include "orthoball/error.h"
 #include "orthoball/filtration/face_vertices.h"
 #include "orthoball/topology/spanning_forest.h"
+#include "orthoball/topology/union_find.h"
 
 namespace orthoball {
 namespace {
@@ -255,6 +256,47 @@ bool BettiScan<D>::next() {
   return true;
 }
 
+namespace {
+
+// How many edges of one complex join components.
+template <int D>
+std::uint32_t joined_at(const Filtration<D>& filtration, std::uint32_t index) {
+  const std::uint32_t first = filtration.table().first(1);
+  const auto enters = filtration.enters().subspan(first, filtration.count(1));
+  UnionFind components(filtration.count(0));
+  std::uint32_t joined = 0;
+  for (std::uint32_t edge = 0; edge < enters.size() && components.set_count() > 1; ++edge) {
+    if (enters[edge] > index) continue;
+    const auto ends = face_vertices<2>(filtration, SimplexId(first + edge));
+    joined += components.unite(ends[0], ends[1]) ? 1U : 0U;
+  }
+  return joined;
+}
+
+// The components of the cells outside one complex, joined through facets outside it, that are not
+// joined to the outside of the hull.
+template <int D>
+std::uint32_t voids_at(const Filtration<D>& filtration, std::uint32_t index) {
+  if (filtration.triangulation().affine_dimension() < D) return 0;
+  const auto cells = filtration.triangulation().template cells<D>();
+  const auto owners = filtration.table().facet_owners();
+  const auto enters_of_cell = filtration.enters().subspan(filtration.table().first(D));
+  const auto enters = filtration.enters().subspan(filtration.table().first(D - 1), owners.size());
+  const auto outside = static_cast<std::uint32_t>(cells.size());
+  UnionFind components(cells.size() + 1);
+  for (std::uint32_t facet = 0; facet < owners.size(); ++facet) {
+    if (enters[facet] <= index) continue;
+    const std::uint32_t beyond = cells[owners[facet] / 4].neighbours[owners[facet] % 4];
+    (void)components.unite(owners[facet] / 4, beyond == kOutside ? outside : beyond / 4);
+  }
+  const auto inside = std::count_if(enters_of_cell.begin(), enters_of_cell.end(),
+                                    [&](std::uint32_t of) { return of <= index; });
+  return static_cast<std::uint32_t>(components.set_count()) - static_cast<std::uint32_t>(inside) -
+         1U;
+}
+
+}  // namespace
+
 template <int D>
 BettiNumbers<D> betti_numbers(const Filtration<D>& filtration, std::uint32_t index,
                               Threads threads) {
@@ -265,22 +307,18 @@ BettiNumbers<D> betti_numbers(const Filtration<D>& filtration, std::uint32_t ind
                          std::to_string(filtration.spectrum_size()));
   }
   threads = threads.for_work(filtration.size(), kLeastSimplices);
-  const FacetRoles<D> roles(filtration, threads);
+  std::uint32_t joined = 0, voids = 0;
+  parallel_for(threads, D == 3 ? 2 : 1, [&](std::size_t task) {
+    if (D == 3 && task == 0) {
+      voids = voids_at(filtration, index);
+    } else {
+      joined = joined_at(filtration, index);
+    }
+  });
   const auto up_to_index = [&](std::span<const std::uint32_t> indices) {
     return static_cast<std::uint32_t>(std::count_if(indices.begin(), indices.end(),
                                                     [&](std::uint32_t of) { return of <= index; }));
   };
-  std::uint32_t joined = 0, voids = 0;
-  parallel_for(threads, D == 3 ? 2 : 1, [&](std::size_t task) {
-    if constexpr (D == 3) {
-      if (task == 0) {
-        const VoidIndices indices = void_indices(filtration, roles);
-        voids = up_to_index(indices.opening) - up_to_index(indices.closing);
-        return;
-      }
-    }
-    joined = up_to_index(joining_indices(filtration));
-  });
   ByDimension<D> entered{};
   for (int k = 0; k <= D; ++k) {
     entered[static_cast<std::size_t>(k)] =
