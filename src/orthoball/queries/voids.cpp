@@ -83,7 +83,7 @@ class Complement {
   // Takes a facet away. The last cell of the component that ends, or the outside if none does.
   std::uint32_t join(std::uint32_t facet) {
     const auto cells =
-        filtration_.template cells_beside(SimplexId(filtration_.table().first(D - 1) + facet));
+        filtration_.cells_beside(SimplexId(filtration_.table().first(D - 1) + facet));
     const std::uint32_t first = filtration_.table().first(D);
     const std::uint32_t a = joined_.find(cells[0].row() - first);
     const std::uint32_t b = joined_.find(cells.size() == 2 ? cells[1].row() - first : outside());

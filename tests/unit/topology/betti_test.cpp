@@ -77,22 +77,6 @@ TEST(BettiScan, EndsWhereItBeginsWithoutSites) {
   EXPECT_EQ(scan.betti(), (BettiNumbers<2>{0, 0}));
 }
 
-template <int D>
-void expect_numbers_of_scan(const WeightedPoints& points) {
-  const Filtration<D> filtration(regular_triangulation<D>(points));
-  BettiScan<D> scan(filtration);
-  EXPECT_EQ(betti_numbers(filtration, 0), BettiNumbers<D>{});
-  while (scan.next()) EXPECT_EQ(betti_numbers(filtration, scan.index()), scan.betti());
-}
-
-TEST(BettiNumbers, AtOneIndexAreThoseOfTheScan) {
-  for (const generators::Case& one : generators::cases(1, 1, 40)) {
-    SCOPED_TRACE(testing::Message() << one);
-    one.dimension == 2 ? expect_numbers_of_scan<2>(one.points())
-                       : expect_numbers_of_scan<3>(one.points());
-  }
-}
-
 TEST(BettiNumbers, OfAHollowOctahedronAreThoseOfASphere) {
   const Filtration<3> filtration =
       filtration_of<3>({1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1});
