@@ -291,8 +291,8 @@ void add_signatures_command(CLI::App& app) {
       ->group("Alpha");
   command
       ->add_flag("--balls", options->balls,
-                 "of the unions of balls of squared radius weight + alpha2 instead: volume,\n"
-                 "area, Betti and Euler numbers; without any alpha at 100 samples")
+                 "of unions of balls, of squared radius weight + alpha2, instead of shapes:\n"
+                 "volume, area, Betti and Euler numbers; without any alpha at 100 samples")
       ->group("Balls");
   add_output_options(*command, *options);
   add_input_options(*command, options->input);
