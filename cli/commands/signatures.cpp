@@ -291,7 +291,7 @@ void add_signatures_command(CLI::App& app) {
       ->group("Alpha");
   command
       ->add_flag("--balls", options->balls,
-                 "of unions of balls, of squared radius weight + alpha2, instead of shapes:\n"
+                 "of unions of balls of squared radius weight + alpha2 instead of shapes:\n"
                  "volume, area, Betti and Euler numbers; without any alpha at 100 samples")
       ->group("Balls");
   add_output_options(*command, *options);
