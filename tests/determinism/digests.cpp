@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Digests of the triangulation, filtration and signatures of large inputs of every family on
-// several numbers of threads, with rows in order and shuffled: a line for each input, and a failure
-// where any of them differ. Takes minutes.
+// Digests of the triangulation, filtration, signatures and union of balls of large inputs of every
+// family on several numbers of threads, with rows in order and shuffled: a line for each input, and
+// a failure where any of them differ. Takes minutes.
 //
 //   digests [LARGEST]     at most so many points of a family, a million if not given
 #include "matchers/digests.h"
@@ -57,7 +57,8 @@ std::string digests(const WeightedPoints& points, Threads threads) {
   std::string text = matchers::digest(triangulation, points).text();
   const Filtration<D> filtration(std::move(triangulation), threads);
   return text + ' ' + matchers::digest(filtration, threads).text() + ' ' +
-         matchers::signatures_digest(filtration, threads).text();
+         matchers::signatures_digest(filtration, threads).text() + ' ' +
+         matchers::balls_digest(filtration, threads).text();
 }
 
 template <int D>

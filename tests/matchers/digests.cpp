@@ -2,9 +2,13 @@
 #include "matchers/digests.h"
 
 #include <bit>
+#include <cmath>
 #include <cstdio>
 
 #include "orthoball/filtration/filter.h"
+#include "orthoball/measures/union_of_balls.h"
+#include "orthoball/queries/pockets.h"
+#include "orthoball/queries/voids.h"
 #include "orthoball/signatures/signature.h"
 
 namespace orthoball::matchers {
@@ -101,11 +105,57 @@ Digest signatures_digest(const Filtration<D>& filtration, Threads threads) {
   return digest;
 }
 
+template <int D>
+Digest balls_digest(const Filtration<D>& filtration, Threads threads) {
+  Digest digest;
+  const std::uint32_t index = filtration.spectrum_size() / 2;
+  if (index == 0) return digest;
+  const double alpha2 = filtration.alpha2(index);
+  if (!std::isfinite(alpha2)) return digest;
+  const UnionOfBalls balls =
+      union_of_balls(filtration, index, alpha2,
+                     UnionOptions{.contacts = true, .derivatives = true, .threads = threads});
+  for (const double number : {balls.volume, balls.area, balls.mean_curvature}) digest.add(number);
+  digest.add(static_cast<std::uint64_t>(balls.euler));
+  for (const SiteId row : filtration.triangulation().sites().rows()) {
+    digest.add(balls.volumes[row.row()]);
+    digest.add(balls.areas[row.row()]);
+    digest.add(balls.derivatives.area_by_radius[row.row()]);
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      digest.add(balls.derivatives.volume_by_centre[D * row.row() + axis]);
+      digest.add(balls.derivatives.area_by_centre[D * row.row() + axis]);
+    }
+  }
+  for (const Contact& contact : balls.contacts) {
+    Digest of_one;
+    of_one.add(contact.area);
+    of_one.add(contact.exposed);
+    digest.add_to_set(of_one);
+  }
+  for (const auto& one : voids(filtration, index, alpha2, VoidsOf::balls, threads)) {
+    Digest of_one;
+    for (const double number : {one.volume, one.area, one.largest_ball_radius}) of_one.add(number);
+    of_one.add(std::uint64_t{one.born} << 32U | one.dies);
+    for (const SimplexId cell : one.cells) of_one.add(std::uint64_t{cell.row()});
+    digest.add_to_set(of_one);
+  }
+  for (const Pocket& pocket : pockets(filtration, index, alpha2, threads)) {
+    Digest of_one;
+    of_one.add(pocket.volume);
+    of_one.add(pocket.area);
+    for (const Mouth& mouth : pocket.mouths) of_one.add(mouth.area);
+    digest.add_to_set(of_one);
+  }
+  return digest;
+}
+
 template Digest digest<2>(const RegularTriangulation<2>&, const WeightedPoints&);
 template Digest digest<3>(const RegularTriangulation<3>&, const WeightedPoints&);
 template Digest digest<2>(const Filtration<2>&, Threads);
 template Digest digest<3>(const Filtration<3>&, Threads);
 template Digest signatures_digest<2>(const Filtration<2>&, Threads);
 template Digest signatures_digest<3>(const Filtration<3>&, Threads);
+template Digest balls_digest<2>(const Filtration<2>&, Threads);
+template Digest balls_digest<3>(const Filtration<3>&, Threads);
 
 }  // namespace orthoball::matchers

@@ -40,4 +40,9 @@ template <int D>
 template <int D>
 [[nodiscard]] Digest signatures_digest(const Filtration<D>& filtration, Threads threads = {});
 
+/// Of the union of balls at the middle of the spectrum, with every ball's part, its voids and
+/// pockets.
+template <int D>
+[[nodiscard]] Digest balls_digest(const Filtration<D>& filtration, Threads threads = {});
+
 }  // namespace orthoball::matchers
