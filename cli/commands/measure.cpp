@@ -9,21 +9,17 @@
 #include <variant>
 #include <vector>
 
-#include "cli/alpha_number.h"
-#include "cli/alpha_options.h"
+#include "cli/balls.h"
 #include "cli/commands.h"
 #include "cli/input_options.h"
+#include "cli/named_outputs.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
 #include "cli/usage_error.h"
 #include "orthoball/counted.h"
-#include "orthoball/error.h"
-#include "orthoball/input/decimal.h"
 #include "orthoball/measures/union_of_balls.h"
-#include "orthoball/output/alpha_text.h"
 #include "orthoball/output/ball_tables.h"
 #include "orthoball/output/void_table.h"
-#include "orthoball/points/probe.h"
 #include "orthoball/queries/voids.h"
 #include "orthoball/topology/betti.h"
 
@@ -32,9 +28,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct MeasureOptions {
-  InputOptions input;
-  AlphaOptions alpha;
-  std::string probe = "0";
+  BallsOptions balls;
   std::string output = "-";
   std::string format;  // text, json; empty: from the name of the output
   bool json = false;
@@ -46,74 +40,12 @@ bool is_json(const MeasureOptions& options) {
   return options.format.empty() ? ending_of(options.output) == "json" : options.format == "json";
 }
 
-// An output beside the report, and the option that names it.
-using Output = std::pair<std::string, std::string>;
-
-std::vector<Output> tables(const MeasureOptions& options) {
-  std::vector<Output> tables;
-  const auto add = [&](const std::string& option, const std::string& path) {
-    if (!path.empty()) tables.emplace_back(option, path);
-  };
-  add("--per-atom", options.per_atom);
-  add("--per-residue", options.per_residue);
-  add("--contacts", options.contacts);
-  add("--voids", options.voids);
-  add("--derivatives", options.derivatives);
-  return tables;
-}
-
-// Every output needs a place of its own, and tables are CSV.
-void check_outputs(const MeasureOptions& options) {
-  require_other_file(options.input, options.output);
-  std::vector<Output> seen{{"-o", options.output}};
-  for (const Output& table : tables(options)) {
-    const auto& [option, path] = table;
-    require_other_file(options.input, path);
-    for (const Output& other : seen) {
-      if (!is_same_output(path, other.second)) continue;
-      throw UsageError(path == "-" && other.first == "-o"
-                           ? option + " -: the report goes to standard output; it needs -o FILE"
-                           : other.first + " and " + option +
-                                 " name the same file; each needs one of its own");
-    }
-    const std::string ending = path == "-" ? "" : ending_of(path);
-    if (!ending.empty() && ending != "csv") {
-      throw UsageError(
-          fmt::format("{} {}: the table is CSV; the name must end in .csv", option, path));
-    }
-    seen.push_back(table);
-  }
-}
-
-orthoball::ProbeRadius probe_from_text(const std::string& text) {
-  orthoball::ProbeRadius probe{alpha2_from_text("--probe", text), {}, 0};
-  if (probe.nearest < 0.0) {
-    throw UsageError(fmt::format("--probe: \"{}\" is below 0; the radius of a probe is 0 or more",
-                                 text.substr(0, 40)));
-  }
-  const orthoball::DecimalNumber number = orthoball::parse_decimal(text).number;
-  constexpr orthoball::Int128 kLargest = orthoball::Int128{1} << 53;
-  constexpr int kMostDecimals = 400;
-  orthoball::Int128 digits = number.digits;
-  int exponent = number.exponent;
-  for (; exponent > 0 && digits <= kLargest; --exponent) digits *= 10;
-  if (number.is_exact && exponent <= 0 && exponent >= -kMostDecimals && digits <= kLargest) {
-    probe.digits = static_cast<std::int64_t>(digits);
-    probe.decimals = -exponent;
-  }
-  return probe;
-}
-
-// What was read, as the balls that the probe's centre rolls around.
-orthoball::Reading with_probe(orthoball::Reading reading, const orthoball::ProbeRadius& probe) {
-  try {
-    reading.points = orthoball::with_probe(reading.points, probe);
-  } catch (const orthoball::InputError& error) {
-    const auto& lines = reading.labels.line;
-    const std::size_t line = error.row() < lines.size() ? lines[error.row()] : 0;
-    throw orthoball::ParseError(reading.file, line, error.what());
-  }
-  return reading;
+std::vector<NamedOutput> outputs(const MeasureOptions& options) {
+  return {{"--per-atom", options.per_atom},
+          {"--per-residue", options.per_residue},
+          {"--contacts", options.contacts},
+          {"--voids", options.voids},
+          {"--derivatives", options.derivatives}};
 }
 
 // What happened to the rows: each is counted once.
@@ -123,7 +55,6 @@ struct BallCounts {
   std::size_t hidden = 0;      // have no power cell
   std::size_t duplicates = 0;  // of an earlier row
   std::size_t empty = 0;       // have no radius above 0
-  bool has_radius = false;     // one is above 0
 };
 
 template <int D>
@@ -139,7 +70,6 @@ BallCounts ball_counts(const Loaded& input, const orthoball::Filtration<D>& filt
   for (std::size_t row = 0; row < has_cell.size(); ++row) {
     const bool has_inside =
         orthoball::ball_radius(input.shapes.points(), row, balls.alpha2).value_or(0.0) > 0.0;
-    counts.has_radius = counts.has_radius || has_inside;
     if (!has_cell[row]) continue;
     ++(balls.areas[row] > 0.0 ? counts.exposed : has_inside ? counts.buried : counts.empty);
   }
@@ -149,8 +79,7 @@ BallCounts ball_counts(const Loaded& input, const orthoball::Filtration<D>& filt
 // What both forms of the report say.
 template <int D>
 struct Measured {
-  ChosenAlpha at;
-  orthoball::ProbeRadius probe;
+  ChosenBalls chosen;
   orthoball::UnionOfBalls balls;
   orthoball::BettiNumbers<D> betti;
   std::vector<orthoball::Void<D>> voids;
@@ -183,15 +112,7 @@ Json json_report(const Loaded& input, const Measured<D>& measured, std::size_t& 
   const auto number = [&](double x) { return finite(x, missing); };
   const orthoball::UnionOfBalls& balls = measured.balls;
   const BallCounts& counts = measured.counts;
-  const bool has_alpha = !orthoball::is_of_empty_complex(balls.index, balls.alpha2);
-  Json json;
-  json["input"] = input_json(input);
-  json["dimension"] = D;
-  json["name"] = measured.at.name.empty() ? Json() : Json(measured.at.name);
-  json["alpha2"] = has_alpha ? number(balls.alpha2) : Json();
-  json["alpha"] = has_alpha ? number(measured.at.alpha) : Json();
-  json["index"] = balls.index;
-  json["probe"] = measured.probe.nearest;
+  Json json = balls_json(input, measured.chosen, missing);
   json["volume"] = number(balls.volume);
   json["area"] = number(balls.area);
   json["mean_curvature"] = D == 3 ? number(balls.mean_curvature) : Json();
@@ -256,11 +177,7 @@ std::string text_report(const Loaded& input, const Measured<D>& measured) {
     return input.reading.is_molecule ? " Å" + std::string(power) : std::string();
   };
   const orthoball::UnionOfBalls& balls = measured.balls;
-  std::string text = input_text(input);
-  if (measured.probe.nearest > 0.0) {
-    text += report_line("probe", number_text(measured.probe.nearest) + unit(""));
-  }
-  text += report_line("at", text_of(measured.at));
+  std::string text = balls_text(input, measured.chosen);
   text += report_line(input.reading.is_molecule ? "atoms"
                       : D == 3                  ? "balls"
                                                 : "disks",
@@ -304,22 +221,6 @@ void check_residues(const MeasureOptions& options, const orthoball::Reading& rea
                    " names no residues; --per-atom gives a line for every row");
 }
 
-void warn_of_points(const MeasureOptions& options, const Loaded& input, const BallCounts& counts) {
-  if (counts.has_radius || input.shapes.points().size() == 0) return;
-  const bool has_weights = input.shapes.points().weight_kind() != orthoball::WeightKind::none;
-  say(options.input,
-      fmt::format("warning: no ball has a radius above 0 at this alpha2; give {}--probe R or a "
-                  "larger --alpha2",
-                  has_weights ? "" : "radii (--radii, --radius-column), "));
-}
-
-// One alpha: that which was asked for, otherwise the balls as they are.
-ChosenAlpha chosen_alpha(const MeasureOptions& options, const Loaded& input) {
-  AlphaOptions alpha = options.alpha;
-  if (!alpha.is_given()) alpha.alpha2 = "0";
-  return chosen_alphas(alpha, input).front();
-}
-
 template <int D>
 Measured<D> measure(const MeasureOptions& options, const Loaded& input,
                     const orthoball::ProbeRadius& probe,
@@ -329,15 +230,14 @@ Measured<D> measure(const MeasureOptions& options, const Loaded& input,
       options.derivatives.empty() ? 0 : 8 * std::uint64_t{4 * D + 2} * sites;
   const std::uint64_t of_contacts =
       options.contacts.empty() ? 0 : 2 * sizeof(orthoball::Contact) * filtration.count(1);
-  require_memory(options.input, 100 * sites + of_derivatives + of_contacts, "the measures");
-  const orthoball::Threads threads = threads_of(options.input);
-  const ChosenAlpha at = chosen_alpha(options, input);
+  require_memory(options.balls.input, 100 * sites + of_derivatives + of_contacts, "the measures");
+  const orthoball::Threads threads = threads_of(options.balls.input);
+  const ChosenAlpha at = chosen_alpha(options.balls, input);
   orthoball::UnionOfBalls balls = orthoball::union_of_balls<D>(
       filtration, at.index, at.alpha2,
       {!options.contacts.empty(), !options.derivatives.empty(), threads});
   const BallCounts counts = ball_counts(input, filtration, balls);
-  return {at,
-          probe,
+  return {{at, probe},
           std::move(balls),
           orthoball::betti_numbers<D>(filtration, at.index, threads),
           orthoball::voids<D>(filtration, at.index, at.alpha2, orthoball::VoidsOf::balls, threads),
@@ -345,20 +245,20 @@ Measured<D> measure(const MeasureOptions& options, const Loaded& input,
 }
 
 void run(const MeasureOptions& options) {
-  check_outputs(options);
-  check(options.alpha, false);
-  const orthoball::ProbeRadius probe = probe_from_text(options.probe);
-  Progress progress(options.input.progress, options.input.quiet,
+  const InputOptions& reads = options.balls.input;
+  check_outputs(reads, options.output, outputs(options));
+  const orthoball::ProbeRadius probe = checked_probe(options.balls);
+  Progress progress(reads.progress, reads.quiet,
                     {Stage::reading, Stage::triangulation, Stage::filtration, Stage::measuring});
-  orthoball::Reading reading = read_input(options.input, progress, false);
+  orthoball::Reading reading = read_input(reads, progress, false);
   check_residues(options, reading);
-  const Loaded input = build_shapes(options.input, progress, with_probe(std::move(reading), probe));
+  const Loaded input = build_shapes(reads, progress, with_probe(std::move(reading), probe));
   progress.begin(Stage::measuring);
   std::size_t missing = 0, missing_in_tables = 0;
   std::visit(
       [&]<int D>(const orthoball::Filtration<D>& filtration) {
         const Measured<D> measured = measure(options, input, probe, filtration);
-        say_how(options.input, {measured.at});
+        say_how(reads, {measured.chosen.at});
         write_tables(options, input, measured, missing_in_tables);
         const std::string report = is_json(options)
                                        ? json_report_text(json_report(input, measured, missing))
@@ -368,11 +268,11 @@ void run(const MeasureOptions& options) {
           sink.text(report);
           sink.flush();
         });
-        warn_of_points(options, input, measured.counts);
+        warn_without_balls(reads, input, measured.balls.alpha2);
       },
       input.shapes.filtration());
-  warn_of_missing(options.input, missing, "null");
-  warn_of_missing(options.input, missing_in_tables, "an empty field");
+  warn_of_missing(reads, missing, "null");
+  warn_of_missing(reads, missing_in_tables, "an empty field");
 }
 
 void add_output_options(CLI::App& command, MeasureOptions& options) {
@@ -407,15 +307,9 @@ void add_measure_command(CLI::App& app) {
   auto options = std::make_shared<MeasureOptions>();
   CLI::App* command = app.add_subcommand(
       "measure", "Volume, area and voids of the union of balls, and every ball's part.");
-  command
-      ->add_option("--probe", options->probe,
-                   "radius R of a probe [length]: every radius r becomes r + R")
-      ->type_name("R")
-      ->capture_default_str()
-      ->group("Balls");
-  add_alpha_options(*command, options->alpha, false, "0, the balls as they are");
+  add_balls_options(*command, options->balls);
   add_output_options(*command, *options);
-  add_input_options(*command, options->input);
+  add_input_options(*command, options->balls.input);
   command->footer(
       "The balls at alpha2 have the squared radii (r + R)^2 + alpha2; imaginary ones are empty. "
       "In\n"

@@ -41,6 +41,7 @@
 #include "orthoball/output/byte_sink.h"
 #include "orthoball/output/mesh.h"
 #include "orthoball/output/planar_shape.h"
+#include "orthoball/output/pocket_table.h"
 #include "orthoball/output/shape_mesh.h"
 #include "orthoball/output/signature_plot.h"
 #include "orthoball/output/tables.h"

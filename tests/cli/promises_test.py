@@ -61,7 +61,7 @@ class ExitStatuses(InAFolder):
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_an_empty_value_is_not_the_same_as_none(self):
-        commands = ["summary", "signatures", "shape", "filter", "measure"]
+        commands = ["summary", "signatures", "shape", "filter", "measure", "pockets"]
         options = {"--alpha2": commands, "--alpha": commands, "--inverse-alpha": commands,
                    "--index": commands, "--columns": commands, "--radius-column": commands,
                    "--weight-column": commands, "--radii": commands, "--default-radius": commands,
@@ -70,7 +70,7 @@ class ExitStatuses(InAFolder):
                    "--threads": commands, "--memory-limit": commands, "--progress": commands,
                    "--output": commands, "--format": commands, "--samples": ["signatures"],
                    "--plot": ["signatures"], "--plot-axis": ["signatures"],
-                   "--plot-range": ["signatures"], "--probe": ["measure"],
+                   "--plot-range": ["signatures"], "--probe": ["measure", "pockets"],
                    "--per-atom": ["measure"], "--per-residue": ["measure"], "--voids": ["measure"],
                    "--contacts": ["measure"], "--derivatives": ["measure"]}
         for option, where in options.items():
@@ -176,7 +176,8 @@ class ExitStatuses(InAFolder):
 
     def test_standard_output_that_is_full_or_closed_is_3(self):
         with open("/dev/full", "w", encoding="utf-8") as full:
-            for arguments in [["summary", C60], ["filter", C60], ["measure", C60], ["--help"]]:
+            for arguments in [["summary", C60], ["filter", C60], ["measure", C60],
+                              ["pockets", C60], ["--help"]]:
                 result = subprocess.run([PROGRAM, *arguments], stdout=full, stderr=subprocess.PIPE,
                                         text=True, check=False)
                 self.assertEqual(result.returncode, 3, arguments)
@@ -195,13 +196,14 @@ class ExitStatuses(InAFolder):
     def test_help_and_version_are_data(self):
         self.assertIn("summary", self.done("--help").stdout)
         self.assertRegex(self.done("--version").stdout, r"\Aorthoball \d+\.\d+\.\d+\n\Z")
-        for command in ["summary", "signatures", "shape", "filter", "measure"]:
+        for command in ["summary", "signatures", "shape", "filter", "measure", "pockets"]:
             text = self.done(command, "--help").stdout
             self.assertIn("--alpha2", text)
             self.assertIn("Examples:", text)
 
     def test_help_has_lines_of_100_characters_at_most(self):
-        for arguments in [[], ["summary"], ["signatures"], ["shape"], ["filter"], ["measure"]]:
+        for arguments in [[], ["summary"], ["signatures"], ["shape"], ["filter"], ["measure"],
+                          ["pockets"]]:
             text = self.done(*arguments, "--help").stdout
             self.assertLessEqual(max(map(len, text.splitlines())), 100)
 

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "cli/balls.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "cli/alpha_number.h"
+#include "cli/report.h"
+#include "cli/usage_error.h"
+#include "orthoball/error.h"
+#include "orthoball/input/decimal.h"
+#include "orthoball/output/alpha_text.h"
+
+void add_balls_options(CLI::App& command, BallsOptions& options) {
+  command
+      .add_option("--probe", options.probe,
+                  "radius R of a probe [length]: every radius r becomes r + R")
+      ->type_name("R")
+      ->capture_default_str()
+      ->group("Balls");
+  add_alpha_options(command, options.alpha, false, "0, the balls as they are");
+}
+
+orthoball::ProbeRadius checked_probe(const BallsOptions& options) {
+  check(options.alpha, false);
+  const std::string& text = options.probe;
+  orthoball::ProbeRadius probe{alpha2_from_text("--probe", text), {}, 0};
+  if (probe.nearest < 0.0) {
+    throw UsageError(fmt::format("--probe: \"{}\" is below 0; the radius of a probe is 0 or more",
+                                 text.substr(0, 40)));
+  }
+  const orthoball::DecimalNumber number = orthoball::parse_decimal(text).number;
+  constexpr orthoball::Int128 kLargest = orthoball::Int128{1} << 53;
+  constexpr int kMostDecimals = 400;
+  orthoball::Int128 digits = number.digits;
+  int exponent = number.exponent;
+  for (; exponent > 0 && digits <= kLargest; --exponent) digits *= 10;
+  if (number.is_exact && exponent <= 0 && exponent >= -kMostDecimals && digits <= kLargest) {
+    probe.digits = static_cast<std::int64_t>(digits);
+    probe.decimals = -exponent;
+  }
+  return probe;
+}
+
+orthoball::Reading with_probe(orthoball::Reading reading, const orthoball::ProbeRadius& probe) {
+  try {
+    reading.points = orthoball::with_probe(reading.points, probe);
+  } catch (const orthoball::InputError& error) {
+    const auto& lines = reading.labels.line;
+    const std::size_t line = error.row() < lines.size() ? lines[error.row()] : 0;
+    throw orthoball::ParseError(reading.file, line, error.what());
+  }
+  return reading;
+}
+
+ChosenAlpha chosen_alpha(const BallsOptions& options, const Loaded& input) {
+  AlphaOptions alpha = options.alpha;
+  if (!alpha.is_given()) alpha.alpha2 = "0";
+  return chosen_alphas(alpha, input).front();
+}
+
+std::string balls_text(const Loaded& input, const ChosenBalls& balls) {
+  std::string text = input_text(input);
+  if (balls.probe.nearest > 0.0) {
+    const std::string unit = input.unit().empty() ? "" : " " + input.unit();
+    text += report_line("probe", number_text(balls.probe.nearest) + unit);
+  }
+  return text + report_line("at", text_of(balls.at));
+}
+
+nlohmann::ordered_json balls_json(const Loaded& input, const ChosenBalls& balls,
+                                  std::size_t& missing) {
+  using Json = nlohmann::ordered_json;
+  const ChosenAlpha& at = balls.at;
+  const bool has_alpha = !orthoball::is_of_empty_complex(at.index, at.alpha2);
+  Json json;
+  json["input"] = input_json(input);
+  json["dimension"] = input.shapes.points().dimension();
+  json["name"] = at.name.empty() ? Json() : Json(at.name);
+  json["alpha2"] = has_alpha ? finite(at.alpha2, missing) : Json();
+  json["alpha"] = has_alpha ? finite(at.alpha, missing) : Json();
+  json["index"] = at.index;
+  json["probe"] = balls.probe.nearest;
+  return json;
+}
+
+void warn_without_balls(const InputOptions& options, const Loaded& input, double alpha2) {
+  const orthoball::WeightedPoints& points = input.shapes.points();
+  if (points.size() == 0) return;
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    if (orthoball::ball_radius(points, row, alpha2).value_or(0.0) > 0.0) return;
+  }
+  const bool has_weights = points.weight_kind() != orthoball::WeightKind::none;
+  say(options, fmt::format("warning: no ball has a radius above 0 at this alpha2; give {}--probe R "
+                           "or a larger --alpha2",
+                           has_weights ? "" : "radii (--radii, --radius-column), "));
+}

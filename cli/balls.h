@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "cli/alpha_options.h"
+#include "cli/input_options.h"
+#include "orthoball/points/probe.h"
+
+// What commands about unions of balls share: which balls, grown by which probe, at which alpha.
+
+/// The input, the probe as typed, and the alpha: one value, 0 unless given.
+struct BallsOptions {
+  InputOptions input;
+  AlphaOptions alpha;
+  std::string probe = "0";
+};
+
+/// The balls that were chosen.
+struct ChosenBalls {
+  ChosenAlpha at;
+  orthoball::ProbeRadius probe;
+};
+
+/// Declares --probe and the forms of alpha on a command; INPUT and how to read it is left to
+/// add_input_options.
+void add_balls_options(CLI::App& command, BallsOptions& options);
+
+/// Before any work.
+/// @throws UsageError for a probe that is no radius and an alpha that is none.
+[[nodiscard]] orthoball::ProbeRadius checked_probe(const BallsOptions& options);
+
+/// What was read, as the balls that the probe's centre rolls around.
+/// @throws orthoball::ParseError that names the line of an imaginary ball.
+[[nodiscard]] orthoball::Reading with_probe(orthoball::Reading reading,
+                                            const orthoball::ProbeRadius& probe);
+
+/// The alpha that was asked for, otherwise 0: the balls as they are.
+[[nodiscard]] ChosenAlpha chosen_alpha(const BallsOptions& options, const Loaded& input);
+
+/// The lines that say what was read, the probe, and the alpha.
+[[nodiscard]] std::string balls_text(const Loaded& input, const ChosenBalls& balls);
+
+/// The keys `input`, `dimension`, `name`, `alpha2`, `alpha`, `index`, `probe`.
+/// @param missing  counts numbers beyond the double range, which are null.
+[[nodiscard]] nlohmann::ordered_json balls_json(const Loaded& input, const ChosenBalls& balls,
+                                                std::size_t& missing);
+
+/// Warns if there are points but not one ball with an inside.
+void warn_without_balls(const InputOptions& options, const Loaded& input, double alpha2);
