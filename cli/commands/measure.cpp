@@ -14,11 +14,13 @@
 #include "cli/input_options.h"
 #include "cli/named_outputs.h"
 #include "cli/output_file.h"
+#include "cli/region_files.h"
 #include "cli/report.h"
 #include "cli/usage_error.h"
 #include "orthoball/counted.h"
 #include "orthoball/measures/union_of_balls.h"
 #include "orthoball/output/ball_tables.h"
+#include "orthoball/output/molecule.h"
 #include "orthoball/output/void_table.h"
 #include "orthoball/queries/voids.h"
 #include "orthoball/topology/betti.h"
@@ -32,7 +34,7 @@ struct MeasureOptions {
   std::string output = "-";
   std::string format;  // text, json; empty: from the name of the output
   bool json = false;
-  std::string per_atom, per_residue, contacts, voids, derivatives;
+  std::string per_atom, per_residue, contacts, voids, derivatives, pdb, mesh, script;
 };
 
 bool is_json(const MeasureOptions& options) {
@@ -41,11 +43,11 @@ bool is_json(const MeasureOptions& options) {
 }
 
 std::vector<NamedOutput> outputs(const MeasureOptions& options) {
-  return {{"--per-atom", options.per_atom},
-          {"--per-residue", options.per_residue},
-          {"--contacts", options.contacts},
-          {"--voids", options.voids},
-          {"--derivatives", options.derivatives}};
+  return {
+      {"--per-atom", options.per_atom},           {"--per-residue", options.per_residue},
+      {"--contacts", options.contacts},           {"--voids", options.voids},
+      {"--derivatives", options.derivatives},     {"--pdb", options.pdb, OutputKind::atoms},
+      {"--mesh", options.mesh, OutputKind::mesh}, {"--script", options.script, OutputKind::script}};
 }
 
 // What happened to the rows: each is counted once.
@@ -213,6 +215,37 @@ void write_tables(const MeasureOptions& options, const Loaded& input, const Meas
         [&](orthoball::ByteSink& sink) { write_derivatives_csv(sink, balls, D); });
 }
 
+// The atoms with their areas, and the files that show the voids.
+template <int D>
+void write_pictures(const MeasureOptions& options, const Loaded& input,
+                    const orthoball::Filtration<D>& filtration, const Measured<D>& measured) {
+  if (!options.pdb.empty()) {
+    orthoball::PdbLosses losses;
+    write_output(options.pdb, "", [&](orthoball::ByteSink& sink) {
+      losses = write_pdb(sink, input.shapes.points(), input.reading.labels, measured.balls.areas);
+    });
+    const auto warn = [&](std::size_t count, const std::string& what, const char* done) {
+      if (count == 0) return;
+      say(options.balls.input,
+          fmt::format("warning: {} in {}", orthoball::counted(count, what), options.pdb + done));
+    };
+    warn(losses.values, "area", " beyond what a B-factor can be; 999.99 stands for it");
+    warn(losses.labels, "label", " longer than its columns; the rest is left out");
+  }
+  Regions regions{"void"};
+  for (const orthoball::Void<D>& hole : measured.voids) {
+    Region& region = regions.all.emplace_back(
+        Region{"void", hole.volume, hole.area, hole.cells, hole.lining, {}});
+    if constexpr (D == 3) {
+      region.largest = {hole.largest_ball_centre, hole.largest_ball_radius};
+    }
+  }
+  write_region_mesh<D>(options.mesh, input, measured.chosen, filtration, regions);
+  if constexpr (D == 3) {
+    write_region_script(options.script, input, measured.chosen, filtration, regions);
+  }
+}
+
 void check_residues(const MeasureOptions& options, const orthoball::Reading& reading) {
   const orthoball::SiteLabels& labels = reading.labels;
   if (options.per_residue.empty() || reading.points.size() == 0) return;
@@ -252,6 +285,8 @@ void run(const MeasureOptions& options) {
                     {Stage::reading, Stage::triangulation, Stage::filtration, Stage::measuring});
   orthoball::Reading reading = read_input(reads, progress, false);
   check_residues(options, reading);
+  check_script(options.script, reading);
+  if (!options.pdb.empty()) require_pdb_points(reading.points);
   const Loaded input = build_shapes(reads, progress, with_probe(std::move(reading), probe));
   progress.begin(Stage::measuring);
   std::size_t missing = 0, missing_in_tables = 0;
@@ -260,6 +295,7 @@ void run(const MeasureOptions& options) {
         const Measured<D> measured = measure(options, input, probe, filtration);
         say_how(reads, {measured.chosen.at});
         write_tables(options, input, measured, missing_in_tables);
+        write_pictures(options, input, filtration, measured);
         const std::string report = is_json(options)
                                        ? json_report_text(json_report(input, measured, missing))
                                        : text_report(input, measured);
@@ -290,15 +326,19 @@ void add_output_options(CLI::App& command, MeasureOptions& options) {
   command.add_flag("--json", options.json, "the same as --format json")
       ->excludes(format)
       ->group(group);
-  const auto table = [&](const std::string& name, std::string& path, const std::string& what) {
+  const auto file = [&](const std::string& name, std::string& path, const std::string& what) {
     command.add_option(name, path, what)->type_name("FILE")->group(group);
   };
-  table("--per-atom", options.per_atom, "area and volume of every ball's part, as CSV");
-  table("--per-residue", options.per_residue, "the same summed by residue, as CSV");
-  table("--contacts", options.contacts, "pairs of balls with the area of their contact, as CSV");
-  table("--voids", options.voids, "voids with the balls around them, as CSV");
-  table("--derivatives", options.derivatives,
-        "of area and volume by every radius and centre, as CSV");
+  file("--per-atom", options.per_atom, "area and volume of every ball's part, as CSV");
+  file("--per-residue", options.per_residue, "the same summed by residue, as CSV");
+  file("--contacts", options.contacts, "pairs of balls with the area of their contact, as CSV");
+  file("--voids", options.voids, "voids with the balls around them, as CSV");
+  file("--derivatives", options.derivatives,
+       "of area and volume by every radius and centre, as CSV");
+  file("--pdb", options.pdb, "the atoms with their areas as B-factors, as PDB");
+  file("--mesh", options.mesh, "the boundaries of all voids, as PLY");
+  file("--script", options.script,
+       "shows the voids in PyMOL or ChimeraX; FILE ends in\n.pml or .cxc");
 }
 
 }  // namespace
@@ -323,6 +363,12 @@ void add_measure_command(CLI::App& app) {
       "--voids: void, volume, area, atoms (the rows of the balls around it), born, dies [alpha2],\n"
       "x, y, z and radius of the largest ball inside. A void lives from alpha2 born to dies.\n"
       "--derivatives: row, area_by_radius, volume_by_radius, volume_by_x.., area_by_x...\n"
+      "--pdb: a row an ATOM record, in the order of the input; rows without names are X of UNK 1.\n"
+      "--mesh: triangles that bound the cells of every void, in the plane edges, with the "
+      "property\n"
+      "void (from 1). --script: opens INPUT and shows the space of every void as spheres, and the\n"
+      "atoms around it as a selection void_N_atoms. With a probe that is the space for its "
+      "centre.\n"
       "--alpha2 auto is explained in shape --help.\n\n"
       "Examples:\n"
       "  orthoball measure 1ubq.pdb\n"

@@ -16,6 +16,7 @@
 #include "cli/commands.h"
 #include "cli/named_outputs.h"
 #include "cli/output_file.h"
+#include "cli/region_files.h"
 #include "cli/report.h"
 #include "orthoball/counted.h"
 #include "orthoball/output/pocket_table.h"
@@ -30,6 +31,7 @@ struct PocketsOptions {
   std::string output = "-";
   std::string format;  // text, json, csv; empty: from the name of the output
   bool json = false;
+  std::string mesh, script;
 };
 
 std::string format_of(const PocketsOptions& options) {
@@ -136,15 +138,27 @@ std::string text_report(const Loaded& input, const ChosenBalls& balls, const Poc
          pockets_text(input, pockets);
 }
 
+Regions regions_of(const Pockets& pockets) {
+  Regions regions{"pocket"};
+  for (const orthoball::Pocket& pocket : pockets) {
+    regions.all.push_back(
+        {pocket_kind(pocket), pocket.volume, pocket.area, pocket.cells, pocket.lining, {}});
+  }
+  return regions;
+}
+
 void run(const PocketsOptions& options) {
   const InputOptions& reads = options.balls.input;
-  check_outputs(reads, options.output, {});
+  check_outputs(reads, options.output,
+                {{"--mesh", options.mesh, OutputKind::mesh},
+                 {"--script", options.script, OutputKind::script}});
   const orthoball::ProbeRadius probe = checked_probe(options.balls);
   const std::string format = format_of(options);
   Progress progress(reads.progress, reads.quiet,
                     {Stage::reading, Stage::triangulation, Stage::filtration, Stage::measuring});
-  const Loaded input = build_shapes(
-      reads, progress, with_probe(read_input(reads, progress, format == "csv"), probe));
+  orthoball::Reading reading = read_input(reads, progress, format == "csv");
+  check_script(options.script, reading);
+  const Loaded input = build_shapes(reads, progress, with_probe(std::move(reading), probe));
   progress.begin(Stage::measuring);
   std::size_t missing = 0;
   std::visit(
@@ -155,6 +169,11 @@ void run(const PocketsOptions& options) {
         const Pockets pockets =
             orthoball::pockets<D>(filtration, balls.at.index, balls.at.alpha2, threads_of(reads));
         say_how(reads, {balls.at});
+        const Regions regions = regions_of(pockets);
+        write_region_mesh<D>(options.mesh, input, balls, filtration, regions);
+        if constexpr (D == 3) {
+          write_region_script(options.script, input, balls, filtration, regions);
+        }
         progress.end();
         missing += write_output(options.output, "", [&](orthoball::ByteSink& sink) {
           if (format == "csv") return write_pockets_csv(sink, pockets);
@@ -183,6 +202,11 @@ void add_output_options(CLI::App& command, PocketsOptions& options) {
   command.add_flag("--json", options.json, "the same as --format json")
       ->excludes(format)
       ->group(group);
+  const auto file = [&](const std::string& name, std::string& path, const std::string& what) {
+    command.add_option(name, path, what)->type_name("FILE")->group(group);
+  };
+  file("--mesh", options.mesh, "the boundaries of all pockets, as PLY");
+  file("--script", options.script, "shows them in PyMOL or ChimeraX; FILE ends in .pml\nor .cxc");
 }
 
 }  // namespace
@@ -208,10 +232,14 @@ void add_pockets_command(CLI::App& app) {
       "of the mouths to the filling of the pocket; none for voids.\n\n"
       "csv: pocket, kind, volume, area, depth, atoms (the rows of the balls around it), mouths\n"
       "(their number), mouth_areas. json: also the area of every ball in it, and the rim of every\n"
-      "mouth (rows). Largest volume first. --alpha2 auto is explained in shape --help.\n\n"
+      "mouth (rows). Largest volume first. --alpha2 auto is explained in shape --help.\n"
+      "--mesh: triangles that bound the cells of every pocket, in the plane edges, with the\n"
+      "properties pocket (from 1) and mouth (1 where it is open). --script: opens INPUT and shows\n"
+      "the space of every pocket as spheres, and the atoms around as a selection pocket_N_atoms.\n"
+      "With a probe that is the space for its centre.\n\n"
       "Examples:\n"
       "  orthoball pockets 1fmo.pdb --probe 1.4\n"
-      "  orthoball pockets 1fmo.pdb -o pockets.csv\n"
+      "  orthoball pockets 1fmo.pdb --probe 1.4 -o pockets.csv --script pockets.pml\n"
       "  orthoball pockets trees.csv --columns x,y --radius-column crown --json");
   command->callback([options] { run(*options); });
 }

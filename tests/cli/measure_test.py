@@ -14,7 +14,7 @@ import pathlib
 import subprocess
 import unittest
 
-from program import C60, EIGHT, InAFolder, PROGRAM, SAMPLES, TWO_BALLS
+from program import C60, EIGHT, InAFolder, PROGRAM, SAMPLES, TWO_BALLS, ply
 
 DNA = str(SAMPLES / "bdna_dodecamer.pdb")
 TABLES = ["--per-atom", "--per-residue", "--contacts", "--voids", "--derivatives"]
@@ -282,20 +282,69 @@ class Tables(Measure):
         self.assertEqual((rows[0]["radius"], rows[0]["volume"]), ("1e+200", ""))
 
 
+class Pictures(Measure):
+    def test_a_pdb_has_the_atoms_with_their_areas(self):
+        path = self.folder / "a.pdb"
+        self.done("measure", DNA, "--probe", "1.4", "--pdb", path)
+        rows = self.table("--per-atom", DNA, "--probe", "1.4")
+        lines = path.read_text().splitlines()
+        self.assertEqual(len(lines), len(rows) + 1)
+        self.assertEqual(lines[-1].rstrip(), "END")
+        source = [line for line in pathlib.Path(DNA).read_text().splitlines()
+                  if line.startswith("ATOM")]
+        for line, row, original in zip(lines, rows, source):
+            self.assertEqual(len(line), 80)
+            self.assertEqual(line[12:16] + line[17:27], original[12:16] + original[17:27])
+            self.assertEqual(line[30:60], original[30:54] + "  1.00")
+            self.assertAlmostEqual(float(line[60:66]), float(row["area"]), delta=0.00501)
+            self.assertEqual(line[76:78].strip().capitalize(), row["element"])
+        again = self.measure(path, "--probe", "1.4")
+        self.assertEqual(again["area"], self.measure(DNA, "--probe", "1.4")["area"])
+
+    def test_a_pdb_says_what_does_not_fit(self):
+        path = self.folder / "a.pdb"
+        said = self.done("measure", self.balls("0 0 0 10\n100 0 0 1\n"), "--pdb", path).stderr
+        self.assertIn(f"warning: 1 area in {path} beyond", said)
+        self.assertIn("1.00999.99", path.read_text())
+        os.remove(path)
+        text = self.refused(3, "measure", self.balls("0 0 0 1\n0 10000 0 1\n"), "--pdb", path)
+        self.assertIn("row 1: y is 10000; a PDB file holds coordinates from -999.999", text)
+        self.assertFalse(path.exists())
+
+    def test_mesh_and_script_show_the_void_of_c60(self):
+        mesh, script = self.folder / "v.ply", self.folder / "v.cxc"
+        report = json.loads(self.done("measure", C60, "--json", "--mesh", mesh, "--script",
+                                      script).stdout)
+        vertices, triangles = ply(mesh)
+        self.assertEqual(sorted(vertex[3] for vertex in vertices), list(range(60)))
+        self.assertEqual(len(triangles), 2 * 60 - 4)
+        self.assertEqual({triangle[1] for triangle in triangles}, {1})
+        radius = report["voids"][0]["largest_ball"]["radius"]
+        self.assertRegex(script.read_text(),
+                         rf"\nmarker #2 position [-0-9.,]* radius {radius:.3f} color #")
+
+    def test_endings_tell_what_a_file_is(self):
+        for option, name, words in [("--pdb", "a.csv", ".pdb or .ent"), ("--mesh", "a.pdb", ".ply"),
+                                    ("--script", "a", ".pml or .cxc")]:
+            self.assertIn(f"must end in {words}",
+                          self.refused(2, "measure", C60, option, self.folder / name))
+
+
 class Outputs(Measure):
     def every_table(self, folder):
-        return [word for option in TABLES
-                for word in [option, folder / f"{option.strip('-')}.csv"]]
+        tables = [(option, f"{option.strip('-')}.csv") for option in TABLES]
+        pictures = [("--pdb", "a.pdb"), ("--mesh", "v.ply"), ("--script", "v.cxc")]
+        return [word for option, name in tables + pictures for word in [option, folder / name]]
 
     def test_results_do_not_depend_on_threads(self):
         found = []
         for threads in ["1", "4"]:
             folder = self.folder / threads
             folder.mkdir()
-            text = self.done("measure", DNA, "--probe", "1.4", "--threads", threads,
+            text = self.done("measure", DNA, "--probe", "0.5", "--threads", threads,
                              *self.every_table(folder)).stdout
             found.append((text, [path.read_bytes() for path in sorted(folder.iterdir())]))
-        self.assertEqual(len(found[0][1]), len(TABLES))
+        self.assertEqual(len(found[0][1]), len(TABLES) + 3)
         self.assertTrue(found[0] == found[1])
 
     def test_the_name_tells_the_format_of_the_report(self):

@@ -5,15 +5,17 @@
 Usage: pockets_test.py PROGRAM [unittest options]
 """
 
+import ast
 import csv
 import io
 import json
 import math
 import os
 import pathlib
+import shutil
 import unittest
 
-from program import C60, EIGHT, InAFolder, SAMPLES, TWO_BALLS
+from program import C60, EIGHT, InAFolder, SAMPLES, TWO_BALLS, ply
 
 DNA = str(SAMPLES / "bdna_dodecamer.pdb")
 
@@ -155,6 +157,97 @@ class Reports(Pockets):
 
     def test_balls_without_an_inside_are_said(self):
         self.assertIn("warning: no ball has a radius above 0", self.done("pockets", EIGHT).stderr)
+
+
+class Files(Pockets):
+    def files(self, folder):
+        return ["--mesh", folder / "p.ply", "--script", folder / "p.pml"]
+
+    def test_a_mesh_has_the_boundary_of_every_pocket(self):
+        path = self.folder / "p.ply"
+        report = json.loads(self.done("pockets", DNA, "--json", "--mesh", path).stdout)
+        vertices, triangles = ply(path)
+        self.assertEqual(len({tuple(vertex[:3]) for vertex in vertices}),
+                         len({vertex[3] for vertex in vertices}))
+        for number, pocket in enumerate(report["pockets"], 1):
+            own = [triangle for triangle in triangles if triangle[1] == number]
+            rows = {vertices[v][3] for corners, _, _ in own for v in corners}
+            self.assertLessEqual(rows, set(pocket["atoms"]))
+            open_rows = {vertices[v][3] for corners, _, mouth in own if mouth for v in corners}
+            self.assertEqual(open_rows, {row for mouth in pocket["mouths"] for row in mouth["rim"]})
+            sides = [side for (a, b, c), _, _ in own for side in [(a, b), (b, c), (c, a)]]
+            self.assertEqual(sorted(sides), sorted((b, a) for a, b in sides))
+        self.assertEqual({triangle[1] for triangle in triangles},
+                         set(range(1, len(report["pockets"]) + 1)))
+
+    def test_in_the_plane_a_mesh_has_edges(self):
+        path, mesh = self.file("ring.csv", ring((0, 1))), self.folder / "p.ply"
+        self.done("pockets", path, "--columns", "x,y", "--radius-column", "r", "--mesh", mesh)
+        vertices, edges = ply(mesh)
+        self.assertEqual(len(vertices), 22)
+        self.assertEqual([mouth for _, _, mouth in edges].count(1), 1)
+        self.assertEqual(len(edges), 22)
+
+    def test_a_script_names_the_atoms_of_the_table(self):
+        rows = [line for line in pathlib.Path(DNA).read_text().splitlines()
+                if line[:6] in ("ATOM  ", "HETATM")]
+        names = [(row[21].strip(), row[22:27].strip(), row[12:16].strip()) for row in rows]
+        (self.folder / "sub").mkdir()
+        script = self.folder / "sub" / "p.pml"
+        shutil.copy(DNA, self.folder / "dna.pdb")
+        found = json.loads(self.done("pockets", "dna.pdb", "--json", "--script", "sub/p.pml",
+                                     cwd=self.folder).stdout)["pockets"]
+        text = script.read_text()
+        self.assertIn('os.path.dirname(__script__), "../dna.pdb")', text)
+        parts = [ast.literal_eval(line[len("show_part"):]) for line in text.splitlines()
+                 if line.startswith("show_part(")]
+        self.assertEqual([part[0] for part in parts],
+                         [f"pocket_{i + 1}" for i in range(len(found))])
+        for (_, _, balls, residues), pocket in zip(parts, found, strict=True):
+            self.assertGreater(len(balls), 0)
+            self.assertEqual(balls, sorted(balls, key=lambda ball: -ball[3]))
+            atoms = [(chain, residue, atom) for chain, residue, atoms in residues
+                     for atom in atoms.split()]
+            known = {names.index(atom) for atom in atoms if atom in names}
+            self.assertEqual(len(atoms), len(pocket["atoms"]))
+            self.assertGreater(len(known), 0.9 * len(atoms))
+
+    def test_a_script_of_chimerax_is_told_by_its_ending(self):
+        script = self.folder / "p.CXC"
+        self.done("pockets", C60, "--script", script)
+        text = script.read_text()
+        for words in ['\nopen "', "c60.xyz\" id 1\n", "\nmarker #2 position ",
+                      '\nrename #2 "pocket_1"\n']:
+            self.assertIn(words, text)
+        self.assertNotIn("name frozen", text)  # atoms of an XYZ file have no names
+
+    def test_names_and_inputs_that_do_not_fit_are_refused(self):
+        for option, name, words in [("--mesh", "p.obj", "must end in .ply"),
+                                    ("--script", "p.py", "must end in .pml or .cxc"),
+                                    ("--script", "-", "must end in .pml or .cxc")]:
+            place = name if name == "-" else self.folder / name
+            self.assertIn(words, self.refused(2, "pockets", C60, option, place, "-o", os.devnull))
+        self.assertIn("the viewer opens the input itself",
+                      self.refused(2, "pockets", EIGHT, "--script", self.folder / "p.pml"))
+        self.assertIn("name the same file", self.refused(
+            2, "pockets", C60, "--mesh", self.folder / "p.ply", "-o", self.folder / "p.ply"))
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_files_do_not_depend_on_threads(self):
+        found = []
+        for threads in ["1", "4"]:
+            folder = self.folder / threads
+            folder.mkdir()
+            self.done("pockets", DNA, "--probe", "0.5", "--threads", threads, *self.files(folder))
+            found.append([path.read_bytes() for path in sorted(folder.iterdir())])
+        self.assertEqual(len(found[0]), 2)
+        self.assertTrue(found[0] == found[1])
+
+    def test_files_that_cannot_be_written_are_3(self):
+        for option, name in [("--mesh", "p.ply"), ("--script", "p.pml")]:
+            place = self.folder / "none" / name
+            self.assertIn(str(place), self.refused(3, "pockets", DNA, option, place))
+        self.assertEqual(list(self.folder.iterdir()), [])
 
 
 if __name__ == "__main__":

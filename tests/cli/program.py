@@ -5,6 +5,7 @@ the source tree.
 
 import os
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
@@ -48,3 +49,20 @@ class InAFolder(unittest.TestCase):
         self.assertEqual(result.stdout, "")
         self.assertRegex(result.stderr, r"\A(orthoball: .+\n)+\Z")
         return result.stderr
+
+
+def ply(path):
+    """(vertices, elements) of a binary mesh of regions: (x, y, z, row), (vertices, region, mouth)."""
+    header, _, data = path.read_bytes().partition(b"end_header\n")
+    lines = header.decode().splitlines()
+    counts = {words[1]: int(words[2]) for words in map(str.split, lines) if words[0] == "element"}
+    size = 2 if "edge" in counts else 3
+    vertex = struct.Struct("<dddI")
+    element = struct.Struct("<" + "B" * (size == 3) + "i" * size + "i" +
+                            "B" * ("property uchar mouth" in lines))
+    end = vertex.size * counts.pop("vertex")
+    first = size == 3
+    elements = [(numbers[first:first + size], *numbers[first + size:])
+                for numbers in element.iter_unpack(data[end:])]
+    assert [len(elements)] == list(counts.values())
+    return list(vertex.iter_unpack(data[:end])), elements

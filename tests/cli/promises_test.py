@@ -72,7 +72,9 @@ class ExitStatuses(InAFolder):
                    "--plot": ["signatures"], "--plot-axis": ["signatures"],
                    "--plot-range": ["signatures"], "--probe": ["measure", "pockets"],
                    "--per-atom": ["measure"], "--per-residue": ["measure"], "--voids": ["measure"],
-                   "--contacts": ["measure"], "--derivatives": ["measure"]}
+                   "--contacts": ["measure"], "--derivatives": ["measure"],
+                   "--pdb": ["measure"], "--mesh": ["measure", "pockets"],
+                   "--script": ["measure", "pockets"]}
         for option, where in options.items():
             for command in where:
                 with self.subTest(option=option, command=command):

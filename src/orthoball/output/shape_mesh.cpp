@@ -132,24 +132,30 @@ void for_boundary(const Filtration<D>& filtration, int dimension, std::uint32_t 
 }  // namespace
 
 template <int D>
+std::array<VertexId, std::size_t{D}> outward_facet(const CellRecord<D>& cell, std::size_t apex) {
+  // The cell is positively oriented; so is (facet, apex) after an even permutation of it.
+  std::array<VertexId, std::size_t{D}> outward;
+  for (std::size_t i = 0; i < D; ++i) {
+    outward[i] = VertexId(cell.corners[(apex + 1 + i) % (D + 1)]);
+  }
+  if (D == 3 && apex % 2 == 1) std::swap(outward[1], outward[2]);
+  return outward;
+}
+
+template <int D>
 std::array<VertexId, std::size_t{D}> outward_facet(const Filtration<D>& filtration, SimplexId facet,
                                                    std::uint32_t index) {
   const auto beside = filtration.cells_beside(facet);
   const SimplexId inside = filtration.enters(beside[0]) <= index ? beside[0] : beside[1];
-  const auto& corners = filtration.triangulation()
-                            .template cells<D>()[inside.row() - filtration.table().first(D)]
-                            .corners;
+  const CellRecord<D>& cell =
+      filtration.triangulation().template cells<D>()[inside.row() - filtration.table().first(D)];
   const auto vertices = filtration.vertices(facet);
   std::size_t apex = 0;  // the corner that is not a vertex of the facet
   while (std::any_of(vertices.begin(), vertices.end(),
-                     [&](VertexId v) { return v.row() == corners[apex]; })) {
+                     [&](VertexId v) { return v.row() == cell.corners[apex]; })) {
     ++apex;
   }
-  // The cell is positively oriented; so is (facet, apex) after an even permutation of it.
-  std::array<VertexId, std::size_t{D}> outward;
-  for (std::size_t i = 0; i < D; ++i) outward[i] = VertexId(corners[(apex + 1 + i) % (D + 1)]);
-  if (D == 3 && apex % 2 == 1) std::swap(outward[1], outward[2]);
-  return outward;
+  return outward_facet<D>(cell, apex);
 }
 
 template <int D>
@@ -191,6 +197,8 @@ ShapeMesh shape_mesh(const Filtration<D>& filtration, const WeightedPoints& poin
   return mesh;
 }
 
+template std::array<VertexId, 2> outward_facet<2>(const CellRecord<2>&, std::size_t);
+template std::array<VertexId, 3> outward_facet<3>(const CellRecord<3>&, std::size_t);
 template std::array<VertexId, 2> outward_facet<2>(const Filtration<2>&, SimplexId, std::uint32_t);
 template std::array<VertexId, 3> outward_facet<3>(const Filtration<3>&, SimplexId, std::uint32_t);
 template ShapeMesh shape_mesh<2>(const Filtration<2>&, const WeightedPoints&, std::uint32_t, bool);

@@ -47,6 +47,15 @@ extern template ShapeMesh shape_mesh<2>(const Filtration<2>&, const WeightedPoin
 extern template ShapeMesh shape_mesh<3>(const Filtration<3>&, const WeightedPoints&, std::uint32_t,
                                         bool);
 
+/// The facet of a cell opposite to corner `apex`, in the order that puts the cell on the left
+/// (D = 2) or makes it turn counterclockwise seen from outside the cell (D = 3). Exact.
+template <int D>
+[[nodiscard]] std::array<VertexId, std::size_t{D}> outward_facet(const CellRecord<D>& cell,
+                                                                 std::size_t apex);
+
+extern template std::array<VertexId, 2> outward_facet<2>(const CellRecord<2>&, std::size_t);
+extern template std::array<VertexId, 3> outward_facet<3>(const CellRecord<3>&, std::size_t);
+
 /// A facet of the cell on its inside: corners in the order that puts the cell on the left (D = 2)
 /// or makes it turn counterclockwise seen from outside (D = 3). Exact.
 /// @param facet  regular at `index`.

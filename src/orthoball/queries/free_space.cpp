@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "orthoball/filtration/edge_ring.h"
 #include "orthoball/measures/compensated_sum.h"
@@ -82,6 +83,48 @@ FreePart FreeSpace<D>::part(std::span<const SimplexId> cells) const {
   part.volume = units(D)(volume.value());
   part.area = areas(area.value());
   return part;
+}
+
+template <int D>
+std::vector<InscribedBall<D>> FreeSpace<D>::empty_balls(std::span<const SimplexId> cells) const {
+  std::set<VertexId> vertices;
+  std::vector<InscribedBall<D>> candidates;
+  for (const SimplexId cell : cells) {
+    const auto of_cell = corners(cell);
+    candidates.push_back(ball_around<D>(point_of_equal_power<D>(of_cell), of_cell));
+    for (const VertexId vertex : filtration_->vertices(cell)) {
+      if (is_in(SimplexId(vertex.row()))) vertices.insert(vertex);
+    }
+  }
+  std::vector<Sphere<D>> lining;
+  for (const VertexId vertex : vertices) lining.push_back(ball(vertex));
+  const auto is_larger = [](const InscribedBall<D>& a, const InscribedBall<D>& b) {
+    return a.radius > b.radius;
+  };
+  const auto is_held_by = [](const InscribedBall<D>& small, const InscribedBall<D>& large) {
+    double square = 0.0;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      const double way = small.centre[axis] - large.centre[axis];
+      square += way * way;
+    }
+    return square <= large.radius * large.radius;
+  };
+  std::stable_sort(candidates.begin(), candidates.end(), is_larger);
+  std::vector<InscribedBall<D>> chosen;
+  for (const InscribedBall<D>& candidate : candidates) {
+    if (!(candidate.radius > 0.0)) continue;
+    const auto holds = [&](const InscribedBall<D>& large) { return is_held_by(candidate, large); };
+    if (std::any_of(chosen.begin(), chosen.end(), holds)) continue;
+    const InscribedBall<D> empty = ball_around<D>(candidate.centre, lining);
+    if (empty.radius > 0.0) chosen.push_back(empty);
+  }
+  std::stable_sort(chosen.begin(), chosen.end(), is_larger);
+  const InputUnits lengths = units(1);
+  for (InscribedBall<D>& one : chosen) {
+    one.radius = lengths({one.radius, 0.0});
+    for (double& x : one.centre) x = lengths({x, 0.0});
+  }
+  return chosen;
 }
 
 template <>

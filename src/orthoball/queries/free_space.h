@@ -12,6 +12,7 @@
 #include "orthoball/measures/cell_gap.h"
 #include "orthoball/measures/contact_facets.h"
 #include "orthoball/measures/input_units.h"
+#include "orthoball/queries/inscribed_ball.h"
 
 namespace orthoball {
 
@@ -48,6 +49,11 @@ class FreeSpace {
   /// Of a facet of such cells that is outside the complex: its area less that in the balls, by the
   /// same sum; length^(D-1).
   [[nodiscard]] double part_of_facet(SimplexId facet) const;
+
+  /// Balls that show the space in such cells, in input units: around the points of equal power to
+  /// the corners of every cell, as large as the balls at all corners allow. The largest first;
+  /// those whose centre a larger one holds are left out. Display only. Quadratic at worst.
+  [[nodiscard]] std::vector<InscribedBall<D>> empty_balls(std::span<const SimplexId> cells) const;
 
   /// In the units of ContactFacets: the balls at the corners of a cell, by vertex.
   [[nodiscard]] Corners corners(SimplexId cell) const;

@@ -118,6 +118,11 @@ std::array<Sphere<D>, std::size_t{D} + 1> nearest(const Vector<D>& point,
 }  // namespace
 
 template <int D>
+Vector<D> point_of_equal_power(const std::array<Sphere<D>, std::size_t{D} + 1>& balls) {
+  return moved<D>(balls[0].x, equal_distances<D>(balls, true).at);
+}
+
+template <int D>
 InscribedBall<D> ball_around(const std::array<double, std::size_t{D}>& centre,
                              std::span<const Sphere<D>> balls) {
   double radius = std::numeric_limits<double>::infinity();
@@ -133,8 +138,7 @@ template <int D>
 InscribedBall<D> inscribed_ball(const std::array<Sphere<D>, std::size_t{D} + 1>& corners,
                                 std::span<const Sphere<D>> balls) {
   constexpr int kMostSteps = 64;
-  InscribedBall<D> best =
-      ball_around<D>(moved<D>(corners[0].x, equal_distances<D>(corners, true).at), balls);
+  InscribedBall<D> best = ball_around<D>(point_of_equal_power<D>(corners), balls);
   if (!(best.radius >= 0.0)) return {corners[0].x, -std::numeric_limits<double>::infinity()};
   for (int step = 0; step < kMostSteps; ++step) {
     const auto around = nearest<D>(best.centre, balls);
@@ -157,6 +161,8 @@ InscribedBall<D> inscribed_ball(const std::array<Sphere<D>, std::size_t{D} + 1>&
   return best;
 }
 
+template Vector<2> point_of_equal_power(const std::array<Sphere<2>, 3>&);
+template Vector<3> point_of_equal_power(const std::array<Sphere<3>, 4>&);
 template InscribedBall<2> ball_around(const std::array<double, 2>&, std::span<const Sphere<2>>);
 template InscribedBall<3> ball_around(const std::array<double, 3>&, std::span<const Sphere<3>>);
 template InscribedBall<2> inscribed_ball(const std::array<Sphere<2>, 3>&,

@@ -16,6 +16,11 @@ struct InscribedBall {
   double radius = 0.0;                          ///< < 0 where the centre is inside another ball
 };
 
+/// The point of equal power to D + 1 balls; not finite where they are flat.
+template <int D>
+[[nodiscard]] std::array<double, std::size_t{D}> point_of_equal_power(
+    const std::array<Sphere<D>, std::size_t{D} + 1>& balls);
+
 /// The largest ball around a point that is in none of the balls.
 template <int D>
 [[nodiscard]] InscribedBall<D> ball_around(const std::array<double, std::size_t{D}>& centre,
@@ -29,6 +34,8 @@ template <int D>
 [[nodiscard]] InscribedBall<D> inscribed_ball(
     const std::array<Sphere<D>, std::size_t{D} + 1>& corners, std::span<const Sphere<D>> balls);
 
+extern template std::array<double, 2> point_of_equal_power(const std::array<Sphere<2>, 3>&);
+extern template std::array<double, 3> point_of_equal_power(const std::array<Sphere<3>, 4>&);
 extern template InscribedBall<2> ball_around(const std::array<double, 2>&,
                                              std::span<const Sphere<2>>);  // in inscribed_ball.cpp
 extern template InscribedBall<3> ball_around(const std::array<double, 3>&,
