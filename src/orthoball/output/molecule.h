@@ -51,7 +51,7 @@ enum class Viewer {
 struct ShownPart {
   std::string name;   ///< an identifier: "void_1"
   std::string title;  ///< one line about it
-  std::vector<InscribedBall<3>> balls{};
+  std::vector<InscribedBall<3>> balls{};  ///< [ball] in input units
   std::vector<SiteId> atoms{};  ///< rows around it, ascending
 };
 
@@ -60,7 +60,7 @@ struct ViewerScene {
   std::string file;   ///< from the folder of the script
   std::string title;  ///< one line
   std::string group;  ///< an identifier for all parts: "voids"
-  std::vector<ShownPart> parts{};
+  std::vector<ShownPart> parts{};  ///< [part] in the order of their colours
 };
 
 /// A script that opens the file and shows every part as spheres of a colour, an object of its own
