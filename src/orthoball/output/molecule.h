@@ -49,17 +49,17 @@ enum class Viewer {
 
 /// A void or pocket as a viewer shows it.
 struct ShownPart {
-  std::string name;   ///< an identifier: "void_1"
-  std::string title;  ///< one line about it
+  std::string name;                       ///< an identifier: "void_1"
+  std::string title;                      ///< one line about it
   std::vector<InscribedBall<3>> balls{};  ///< [ball] in input units
-  std::vector<SiteId> atoms{};  ///< rows around it, ascending
+  std::vector<SiteId> atoms{};            ///< rows around it, ascending
 };
 
 /// What a script shows: a file's molecule and parts of it.
 struct ViewerScene {
-  std::string file;   ///< from the folder of the script
-  std::string title;  ///< one line
-  std::string group;  ///< an identifier for all parts: "voids"
+  std::string file;                ///< from the folder of the script
+  std::string title;               ///< one line
+  std::string group;               ///< an identifier for all parts: "voids"
   std::vector<ShownPart> parts{};  ///< [part] in the order of their colours
 };
 
