@@ -13,7 +13,8 @@ int main() {
     const Filtration<3> filtration(regular_triangulation<3>(atoms));
     const std::uint32_t index = filtration.index(0.0);
     const UnionOfBalls balls = union_of_balls(filtration, index, 0.0, {});
-    std::cout << "probe " << probe << ": volume " << balls.volume << ", area " << balls.area << '\n';
+    std::cout << "probe " << probe << ": volume " << balls.volume << ", area " << balls.area
+              << '\n';
     for (const Void<3>& hole : voids(filtration, index, 0.0, VoidsOf::balls)) {
       std::cout << "  a void of volume " << hole.volume << " with room for a ball of radius "
                 << hole.largest_ball_radius << '\n';
