@@ -104,8 +104,11 @@ Json json_of(const orthoball::Void<D>& hole, std::size_t& missing) {
   json["atom_areas"] = std::move(atom_areas);
   json["born"] = number(hole.born_alpha2);
   json["dies"] = number(hole.dies_alpha2);
-  json["largest_ball"]["centre"] = std::move(centre);
-  json["largest_ball"]["radius"] = number(hole.largest_ball_radius);
+  json["largest_ball"] = nullptr;
+  if (hole.largest_ball_radius > 0.0) {
+    json["largest_ball"] = {{"centre", std::move(centre)},
+                            {"radius", number(hole.largest_ball_radius)}};
+  }
   return json;
 }
 
@@ -263,7 +266,7 @@ Measured<D> measure(const MeasureOptions& options, const Loaded& input,
       options.derivatives.empty() ? 0 : 8 * std::uint64_t{4 * D + 2} * sites;
   const std::uint64_t of_contacts =
       options.contacts.empty() ? 0 : 2 * sizeof(orthoball::Contact) * filtration.count(1);
-  require_memory(options.balls.input, 100 * sites + of_derivatives + of_contacts, "the measures");
+  require_memory(options.balls.input, 400 * sites + of_derivatives + of_contacts, "the measures");
   const orthoball::Threads threads = threads_of(options.balls.input);
   const ChosenAlpha at = chosen_alpha(options.balls, input);
   orthoball::UnionOfBalls balls = orthoball::union_of_balls<D>(

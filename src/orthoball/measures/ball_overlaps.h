@@ -34,6 +34,7 @@ struct BallOverlap {
 /// complex needs; others are empty or overlaps of fewer balls. Where the balls are farther apart,
 /// the result is that of balls that just touch.
 ///
+/// Radii and distances up to 2^300; beyond, volumes may overflow.
 /// Error: a few 2^-53 of what the balls themselves measure, from touching balls to nearly
 /// concentric ones. docs/derivations/union_of_balls.md has the formulas.
 /// @param balls  1 to D + 1, with different centres in general position.

@@ -12,9 +12,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <string>
 #include <utility>
 
+#include "orthoball/error.h"
 #include "orthoball/filtration/edge_ring.h"
 #include "orthoball/filtration/face_vertices.h"
 
@@ -122,10 +125,20 @@ template <int D>
 ContactFacets<D>::ContactFacets(const Filtration<D>& filtration, std::uint32_t index, double alpha2,
                                 Threads threads)
     : filtration_(&filtration), index_(index) {
+  if (index > filtration.spectrum_size()) {
+    throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
+                     "index " + std::to_string(index) +
+                         " is beyond the spectrum; indices are 0 to " +
+                         std::to_string(filtration.spectrum_size()));
+  }
+  if (std::isnan(alpha2) || alpha2 == std::numeric_limits<double>::infinity()) {
+    throw InputError(InputError::Reason::not_finite, InputError::kNoRow,
+                     "alpha2 of a union of balls must be finite");
+  }
   const Sites<D>& sites = filtration.triangulation().sites();
   const int exponent = shrinking(sites, alpha2);
   scale_exponent_ = sites.scale_exponent() + exponent;
-  const double added = from_input_units(alpha2, 2, scale_exponent_, sites.decimals());
+  const double added = from_input(alpha2, 2);
   const double unit = std::ldexp(1.0, exponent);
   spheres_.resize(sites.size());
   for (std::size_t vertex = 0; vertex < sites.size(); ++vertex) {
@@ -152,6 +165,12 @@ ContactFacets<D>::ContactFacets(const Filtration<D>& filtration, std::uint32_t i
 template <int D>
 InputUnits ContactFacets<D>::units(int power) const {
   return {power, scale_exponent_, filtration_->triangulation().sites().decimals(), 1};
+}
+
+template <int D>
+double ContactFacets<D>::from_input(double value, int power) const {
+  return from_input_units(value, power, scale_exponent_,
+                          filtration_->triangulation().sites().decimals());
 }
 
 template <>

@@ -57,11 +57,15 @@ template <int D>
 class ContactFacets {
  public:
   /// @param alpha2  added to the weights, length^2 in input units.
+  /// @throws InputError for an index beyond the spectrum's size, and for an alpha2 that is infinite
+  ///         or no number, but -infinity.
   ContactFacets(const Filtration<D>& filtration, std::uint32_t index, double alpha2,
                 Threads threads = Threads(1));
 
   /// From the units of all below. @param power  1 for lengths, 2 for areas, 3 for volumes.
   [[nodiscard]] InputUnits units(int power) const;
+  /// The other way, of a number in input units.
+  [[nodiscard]] double from_input(double value, int power) const;
   /// [vertex]: the balls; radius 0 for those that are empty.
   [[nodiscard]] std::span<const Sphere<D>> spheres() const { return spheres_; }
 

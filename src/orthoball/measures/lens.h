@@ -47,19 +47,14 @@ struct Lens {
   [[nodiscard]] HalfPlane opening(std::size_t ball) const { return {height[ball], radius}; }
 };
 
+/// Squares of lengths below this may have lost bits or vanished: vectors are enlarged before.
+inline constexpr double kLeastSquare = 0x1p-900;
+inline constexpr double kEnlarging = 0x1p+900;
+
 /// radius + height, >= 0, also where these nearly cancel.
 [[nodiscard]] inline double above_far_pole(double radius, double height, double circle2) {
   if (height >= 0.0) return radius + height;
   return radius > height ? circle2 / (radius - height) : 0.0;
-}
-
-/// The square of the radius of their circle, roughly: for telling which of two is the smaller.
-template <int D>
-[[nodiscard]] inline double rough_circle2(const Sphere<D>& a, const Sphere<D>& b) {
-  double norm2 = 0.0;
-  for (std::size_t i = 0; i < D; ++i) norm2 += (b.x[i] - a.x[i]) * (b.x[i] - a.x[i]);
-  const double twice = norm2 + (a.weight - b.weight);
-  return a.radius * a.radius - twice * twice / (4 * norm2);
 }
 
 /// The lens of two balls with different centres.
@@ -76,7 +71,7 @@ template <int D>
   };
   double unit = 1.0;
   double norm2 = set_axis(unit);
-  if (norm2 < 0x1p-900) {  // so that no square vanishes
+  if (norm2 < kLeastSquare) {  // so that no square vanishes
     unit = 0.0;
     for (std::size_t i = 0; i < D; ++i) unit = std::max(unit, std::abs(b.x[i] - a.x[i]));
     norm2 = unit > 0.0 ? set_axis(unit) : 0.0;
@@ -97,6 +92,16 @@ template <int D>
   result.radius2 = (radius - height) * (radius + height);
   result.radius = std::sqrt(result.radius2);
   return result;
+}
+
+/// The square of the radius of their circle, roughly: for telling which of two is the smaller.
+template <int D>
+[[nodiscard]] inline double rough_circle2(const Sphere<D>& a, const Sphere<D>& b) {
+  double norm2 = 0.0;
+  for (std::size_t i = 0; i < D; ++i) norm2 += (b.x[i] - a.x[i]) * (b.x[i] - a.x[i]);
+  if (norm2 < kLeastSquare) return lens(a, b).radius2;
+  const double twice = norm2 + (a.weight - b.weight);
+  return a.radius * a.radius - twice * twice / (4 * norm2);
 }
 
 /// In the plane: how far from the axis, towards a third disk, the point lies that has equal power
@@ -135,6 +140,8 @@ struct Beyond {
   /// [ball]: the third centre along the axis, from each centre towards the other.
   std::array<double, 2> along{};
   double level = 0.0;  ///< the line is where the inner product with `apex` is this
+  /// `apex` and `level` are this many times too large: 1, or more where squares would vanish.
+  double enlarged = 1.0;
 };
 
 /// Where that line cuts the disk of the lens.
@@ -209,25 +216,31 @@ class LensFrame {
     beyond.level = (dot(beyond.apex, beyond.apex) + along * (along - 2 * height[nearer]) +
                     (end.weight - third.weight)) /
                    2;
+    if (dot(beyond.apex, beyond.apex) < kLeastSquare) {
+      beyond.enlarged = kEnlarging;
+      beyond.apex = {beyond.apex.x * kEnlarging, beyond.apex.y * kEnlarging};
+      beyond.level *= kEnlarging;
+    }
     return beyond;
   }
 
   /// @param half  meeting_height() of the three balls.
   [[nodiscard]] Chord chord(const Beyond& beyond, double half) const {
     Chord chord;
-    chord.apex_distance = std::sqrt(dot(beyond.apex, beyond.apex));
+    const double distance = std::sqrt(dot(beyond.apex, beyond.apex));
+    chord.apex_distance = distance / beyond.enlarged;
     chord.along = beyond.along;
     chord.towards = {1.0, 0.0};
-    if (chord.apex_distance > 0.0) {
-      chord.towards = {beyond.apex.x / chord.apex_distance, beyond.apex.y / chord.apex_distance};
-      chord.height = std::clamp(beyond.level / chord.apex_distance, -lens_.radius, lens_.radius);
+    if (distance > 0.0) {
+      const double inverse = 1.0 / distance;
+      chord.towards = {beyond.apex.x * inverse, beyond.apex.y * inverse};
+      chord.height = std::clamp(beyond.level * inverse, -lens_.radius, lens_.radius);
     }
     // Its ends are on the circle: the smaller of height and half is the better known.
     chord.half = std::min(half, lens_.radius);
-    if (std::abs(chord.height) > chord.half) {
-      const double height = std::sqrt((lens_.radius - chord.half) * (lens_.radius + chord.half));
-      chord.height = std::copysign(height, chord.height);
-    }
+    const double height = std::copysign(
+        std::sqrt((lens_.radius - chord.half) * (lens_.radius + chord.half)), chord.height);
+    if (std::abs(chord.height) > chord.half) chord.height = height;
     return chord;
   }
 
@@ -237,7 +250,8 @@ class LensFrame {
   /// disk.
   [[nodiscard]] InLens crossing(const Beyond& a, const Beyond& b) const {
     const double off2 = dot(a.apex, a.apex);
-    const double scale = off2 > 0.0 ? a.level / off2 : 0.0;
+    if (off2 == 0.0) return {};
+    const double scale = a.level / off2;
     InLens foot{a.apex.x * scale, a.apex.y * scale};
     double along = (b.level - dot(foot, b.apex)) / cross(a.apex, b.apex);
     const double room2 = lens_.radius2 - dot(foot, foot);
@@ -259,7 +273,8 @@ class LensFrame {
                                            double radius) const {
     const double along = chord.along[ball];
     const double off = chord.apex_distance;
-    const double length = std::sqrt(along * along + off * off);
+    const double square = along * along + off * off;
+    const double length = square < kLeastSquare ? std::hypot(along, off) : std::sqrt(square);
     const double beyond = along >= 0.0 ? length + along : off * (off / (length - along));
     const double above = above_far_pole(radius, lens_.height[ball], lens_.radius2);
     return {above * beyond + off * chord.height, off * chord.half};
@@ -283,15 +298,20 @@ class LensFrame {
     const bool nearer = inner(to1, to1) < inner(to0, to0);
     const auto& to = nearer ? to1 : to0;
     const auto& e = pair.axis;
-    const std::array<double, 3> off{to[1] * e[2] - to[2] * e[1], to[2] * e[0] - to[0] * e[2],
-                                    to[0] * e[1] - to[1] * e[0]};
+    std::array<double, 3> off{to[1] * e[2] - to[2] * e[1], to[2] * e[0] - to[0] * e[2],
+                              to[0] * e[1] - to[1] * e[0]};
     const double off2 = inner(off, off), along = inner(to, e);
+    double distance = std::sqrt(off2);
+    if (off2 < kLeastSquare) {
+      for (double& x : off) x *= kEnlarging;
+      distance = std::sqrt(inner(off, off)) / kEnlarging;
+    }
     const double height_of_plane = nearer ? -pair.height[1] : pair.height[0];
     const double level = (off2 + along * (along - 2 * height_of_plane) +
                           ((nearer ? second : first).weight - third.weight)) /
                          2;
     double height = 0.0;
-    if (off2 > 0.0) height = std::clamp(level / std::sqrt(off2), -pair.radius, pair.radius);
+    if (distance > 0.0) height = std::clamp(level / distance, -pair.radius, pair.radius);
     return std::sqrt((pair.radius - height) * (pair.radius + height));
   };
   if (ab <= ac && ab <= bc) return of_pair(a, b, c);

@@ -12,11 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <string>
 
-#include "orthoball/error.h"
 #include "orthoball/measures/compensated_sum.h"
 #include "orthoball/measures/contact_facets.h"
 #include "orthoball/measures/input_units.h"
@@ -209,15 +206,6 @@ void Union<D>::sort_contacts() {
 template <int D>
 UnionOfBalls union_of_balls(const Filtration<D>& filtration, std::uint32_t index, double alpha2,
                             const UnionOptions& options) {
-  if (index > filtration.spectrum_size()) {
-    throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
-                     "index " + std::to_string(index) + " is beyond the spectrum, which has " +
-                         std::to_string(filtration.spectrum_size()) + " entries");
-  }
-  if (std::isnan(alpha2) || alpha2 == std::numeric_limits<double>::infinity()) {
-    throw InputError(InputError::Reason::not_finite, InputError::kNoRow,
-                     "alpha2 of a union of balls must be finite");
-  }
   return Union<D>(filtration, index, alpha2, options).measured();
 }
 

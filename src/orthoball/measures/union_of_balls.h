@@ -36,7 +36,8 @@ struct UnionDerivatives {
 /// squared radius are empty; they, hidden balls and duplicates of earlier rows have no part.
 ///
 /// Which balls meet is decided exactly; the measures err by a few 2^-53 of the area and volume of
-/// the balls for every neighbour. Totals are the sums of the parts.
+/// the balls for every neighbour, as long as lengths differ by less than 2^400 in size. Totals are
+/// the sums of the parts.
 struct UnionOfBalls {
   std::uint32_t index = 0;         ///< of the alpha complex that is dual to the union
   double alpha2 = 0.0;             ///< length^2

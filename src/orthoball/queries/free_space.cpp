@@ -2,6 +2,8 @@
 #include "orthoball/queries/free_space.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -86,12 +88,31 @@ FreePart FreeSpace<D>::part(std::span<const SimplexId> cells) const {
 }
 
 template <int D>
+std::array<double, std::size_t{D}> FreeSpace<D>::orthocentre(SimplexId cell) const {
+  constexpr double kTolerance = 1e-6;  // of squares of lengths
+  const Corners of_cell = corners(cell);
+  auto centre = point_of_equal_power<D>(of_cell);
+  double square = 0.0;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const double way = centre[axis] - of_cell[0].x[axis];
+    square += way * way;
+  }
+  const double weight = of_cell[0].weight;
+  const double rho2 = balls_.from_input(filtration_->alpha2(filtration_->enters(cell)), 2);
+  const double error = std::abs(square - weight - rho2);
+  if (!(error <= kTolerance * (square + std::abs(weight)))) {
+    centre.fill(std::numeric_limits<double>::quiet_NaN());
+  }
+  return centre;
+}
+
+template <int D>
 std::vector<InscribedBall<D>> FreeSpace<D>::empty_balls(std::span<const SimplexId> cells) const {
   std::set<VertexId> vertices;
   std::vector<InscribedBall<D>> candidates;
   for (const SimplexId cell : cells) {
     const auto of_cell = corners(cell);
-    candidates.push_back(ball_around<D>(point_of_equal_power<D>(of_cell), of_cell));
+    candidates.push_back(ball_around<D>(orthocentre(cell), of_cell));
     for (const VertexId vertex : filtration_->vertices(cell)) {
       if (is_in(SimplexId(vertex.row()))) vertices.insert(vertex);
     }
@@ -131,7 +152,9 @@ template <>
 double FreeSpace<2>::part_of_facet(SimplexId facet) const {
   const auto ends = filtration_->vertices(facet);
   double length = lens(ball(ends[0]), ball(ends[1])).distance;
-  for (const VertexId end : ends) length -= ball(end).radius;
+  for (const VertexId end : ends) {
+    if (is_in(SimplexId(end.row()))) length -= ball(end).radius;
+  }
   return units(1)({length, 0.0});
 }
 
@@ -148,6 +171,7 @@ double FreeSpace<3>::part_of_facet(SimplexId facet) const {
   const CellGap<2> gap = cell_gap(in_plane(corners), faces);
   double area = gap.volume;
   for (std::size_t i = 0; i < 3; ++i) {
+    if (!is_in(SimplexId(vertices[i].row()))) continue;
     area -= gap.exposed[i] * corners[i].radius * corners[i].radius / 2;
   }
   return units(2)({area, 0.0});

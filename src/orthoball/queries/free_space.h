@@ -24,9 +24,11 @@ struct LiningBall {
 
 /// What a union of balls leaves free of some cells, in input units.
 struct FreePart {
-  double volume = 0.0;             ///< length^D
-  double area = 0.0;               ///< of the balls, there; length^(D-1)
-  std::vector<LiningBall> lining;  ///< the corners of the cells that are in the complex, by row
+  double volume = 0.0;  ///< length^D
+  double area = 0.0;    ///< of the balls, there; length^(D-1)
+  /// The corners of the cells that are in the complex, by row. Where pieces of the union reach out
+  /// of the cells, single areas may be below 0, and a small volume, too.
+  std::vector<LiningBall> lining;
 };
 
 /// Measures what the union of balls that is dual to one alpha complex leaves free, in sets of cells
@@ -55,6 +57,9 @@ class FreeSpace {
   /// those whose centre a larger one holds are left out. Display only. Quadratic at worst.
   [[nodiscard]] std::vector<InscribedBall<D>> empty_balls(std::span<const SimplexId> cells) const;
 
+  /// In the units of ContactFacets: the orthocentre of a cell; not finite where the cell is so flat
+  /// that rounding decides where it is.
+  [[nodiscard]] std::array<double, std::size_t{D}> orthocentre(SimplexId cell) const;
   /// In the units of ContactFacets: the balls at the corners of a cell, by vertex.
   [[nodiscard]] Corners corners(SimplexId cell) const;
   [[nodiscard]] const Sphere<D>& ball(VertexId vertex) const {

@@ -126,6 +126,9 @@ template <int D>
 InscribedBall<D> ball_around(const std::array<double, std::size_t{D}>& centre,
                              std::span<const Sphere<D>> balls) {
   double radius = std::numeric_limits<double>::infinity();
+  for (const double x : centre) {
+    if (!std::isfinite(x)) return {centre, -radius};
+  }
   for (const Sphere<D>& ball : balls) {
     Vector<D> to{};
     for (std::size_t axis = 0; axis < D; ++axis) to[axis] = centre[axis] - ball.x[axis];
@@ -135,11 +138,11 @@ InscribedBall<D> ball_around(const std::array<double, std::size_t{D}>& centre,
 }
 
 template <int D>
-InscribedBall<D> inscribed_ball(const std::array<Sphere<D>, std::size_t{D} + 1>& corners,
+InscribedBall<D> inscribed_ball(const std::array<double, std::size_t{D}>& start,
                                 std::span<const Sphere<D>> balls) {
   constexpr int kMostSteps = 64;
-  InscribedBall<D> best = ball_around<D>(point_of_equal_power<D>(corners), balls);
-  if (!(best.radius >= 0.0)) return {corners[0].x, -std::numeric_limits<double>::infinity()};
+  InscribedBall<D> best = ball_around<D>(start, balls);
+  if (!(best.radius >= 0.0)) return {start, -std::numeric_limits<double>::infinity()};
   for (int step = 0; step < kMostSteps; ++step) {
     const auto around = nearest<D>(best.centre, balls);
     const Line<D> line = equal_distances<D>(around, false);
@@ -165,9 +168,7 @@ template Vector<2> point_of_equal_power(const std::array<Sphere<2>, 3>&);
 template Vector<3> point_of_equal_power(const std::array<Sphere<3>, 4>&);
 template InscribedBall<2> ball_around(const std::array<double, 2>&, std::span<const Sphere<2>>);
 template InscribedBall<3> ball_around(const std::array<double, 3>&, std::span<const Sphere<3>>);
-template InscribedBall<2> inscribed_ball(const std::array<Sphere<2>, 3>&,
-                                         std::span<const Sphere<2>>);
-template InscribedBall<3> inscribed_ball(const std::array<Sphere<3>, 4>&,
-                                         std::span<const Sphere<3>>);
+template InscribedBall<2> inscribed_ball(const std::array<double, 2>&, std::span<const Sphere<2>>);
+template InscribedBall<3> inscribed_ball(const std::array<double, 3>&, std::span<const Sphere<3>>);
 
 }  // namespace orthoball

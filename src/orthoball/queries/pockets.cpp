@@ -13,10 +13,8 @@
 #include <map>
 #include <set>
 #include <span>
-#include <string>
 #include <utility>
 
-#include "orthoball/error.h"
 #include "orthoball/exact/attached_faces.h"
 #include "orthoball/raw_vector.h"
 #include "orthoball/topology/union_find.h"
@@ -198,13 +196,9 @@ void PocketSearch<D>::find_mouths(Pocket& pocket) const {
 template <int D>
 std::vector<Pocket> pockets(const Filtration<D>& filtration, std::uint32_t index, double alpha2,
                             Threads threads) {
-  if (index > filtration.spectrum_size()) {
-    throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
-                     "index " + std::to_string(index) + " is beyond the spectrum, which has " +
-                         std::to_string(filtration.spectrum_size()) + " entries");
-  }
+  PocketSearch<D> search(filtration, index, alpha2);
   if (filtration.triangulation().affine_dimension() < D) return {};
-  std::vector<Pocket> found = PocketSearch<D>(filtration, index, alpha2).found(threads);
+  std::vector<Pocket> found = search.found(threads);
   std::stable_sort(found.begin(), found.end(), [](const Pocket& a, const Pocket& b) {
     if (a.volume != b.volume) return a.volume > b.volume;
     const auto first = [](const Pocket& one) {

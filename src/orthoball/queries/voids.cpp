@@ -16,10 +16,8 @@
 #include <map>
 #include <set>
 #include <span>
-#include <string>
 #include <utility>
 
-#include "orthoball/error.h"
 #include "orthoball/measures/cell_gap.h"
 #include "orthoball/measures/compensated_sum.h"
 #include "orthoball/queries/inscribed_ball.h"
@@ -200,10 +198,7 @@ void VoidMeasures<D>::find_largest_ball(Void<D>& result) const {
   starts.resize(size);
   InscribedBall<D> largest{{}, -1.0};
   for (const SimplexId cell : starts) {
-    typename FreeSpace<D>::Corners corners;
-    const auto of_cell = filtration_.vertices(cell);
-    for (std::size_t i = 0; i <= D; ++i) corners[i] = ball(of_cell[i]);
-    const InscribedBall<D> found = inscribed_ball<D>(corners, balls);
+    const InscribedBall<D> found = inscribed_ball<D>(free_.orthocentre(cell), balls);
     if (found.radius > largest.radius) largest = found;
   }
   if (largest.radius < 0.0) return;
@@ -219,15 +214,9 @@ void VoidMeasures<D>::find_largest_ball(Void<D>& result) const {
 template <int D>
 std::vector<Void<D>> voids(const Filtration<D>& filtration, std::uint32_t index, double alpha2,
                            VoidsOf of, Threads threads) {
-  if (index > filtration.spectrum_size()) {
-    throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
-                     "index " + std::to_string(index) + " is beyond the spectrum, which has " +
-                         std::to_string(filtration.spectrum_size()) + " entries");
-  }
+  const VoidMeasures<D> measures(filtration, index, alpha2, of);
   if (filtration.triangulation().affine_dimension() < D) return {};
   const std::vector<Component> components = Complement<D>(filtration, index).voids();
-  if (components.empty()) return {};
-  const VoidMeasures<D> measures(filtration, index, alpha2, of);
   std::vector<Void<D>> result(components.size());
   parallel_for(threads, components.size(),
                [&](std::size_t i) { result[i] = measures.measured(components[i]); });

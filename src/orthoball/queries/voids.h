@@ -18,7 +18,8 @@ namespace orthoball {
 ///
 /// It lives from the index at which the last triangle (in the plane: edge) closes it to that at
 /// which its last cell fills it. Where a triangle divides a void in two, the one that is filled
-/// first is born there: these are the pairs of persistent homology.
+/// first is born there: these are the pairs of persistent homology. Of two that are filled at the
+/// same index, that whose last cell has the smaller number counts as the first.
 template <int D>
 struct Void {
   double volume = 0.0;               ///< length^D
@@ -28,8 +29,8 @@ struct Void {
   std::uint32_t born = 0, dies = 0;  ///< indices of the spectrum
   double born_alpha2 = 0.0, dies_alpha2 = 0.0;  ///< their labels; length^2
   /// The largest ball that was found inside, touching D + 1 of the lining balls, by a local search
-  /// from the cells with the largest orthoballs: the largest there is where balls are of similar
-  /// size. Around a void of an alpha shape, the vertices are balls of radius 0.
+  /// from the 64 cells with the largest orthoballs. Radius 0 where none was found. In an alpha
+  /// shape the vertices are balls of radius 0, and the ball may reach through facets between them.
   std::array<double, std::size_t{D}> largest_ball_centre{};
   double largest_ball_radius = 0.0;  ///< length
 };
@@ -43,7 +44,7 @@ enum class VoidsOf {
 /// The voids at one index, largest first; equal volumes by the lowest row. Their number is betti
 /// D - 1 of the complex. Which cells are whose is exact; measures are as those of UnionOfBalls.
 ///
-/// Linear in the simplices.
+/// Time grows little faster than the number of simplices.
 /// @param alpha2  length^2, as for union_of_balls.
 /// @throws InputError for an index beyond the spectrum's size.
 /// @cite edelsbrunner_1995  @cite liang_1998_cavities

@@ -48,7 +48,9 @@ class BallBoundaries {
     double volume = 0.0;  ///< length^D
     double area = 0.0;    ///< length^(D-1)
   };
-  /// Time grows with the edges at the boundary's vertices, but for one pass over an array.
+  /// Time grows with the edges at the boundary's vertices, but for passes over the vertices and
+  /// over the indices of all simplices.
+  /// @throws InputError as ContactFacets does.
   [[nodiscard]] Measures measures(const BallAlpha& alpha, Threads threads) const;
 
  private:

@@ -243,7 +243,8 @@ TEST(UnionOfBalls, RefusesAnIndexBeyondTheSpectrum) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(error.reason(), InputError::Reason::wrong_argument);
-    EXPECT_NE(std::string(error.what()).find("has 2 entries"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("indices are 0 to 2"), std::string::npos)
+        << error.what();
   }
 }
 
@@ -579,6 +580,21 @@ TEST(UnionOfBalls, OfANearlyFlatTetrahedron) {
   const UnionOfBalls balls = union_of_equal(x, 1.7);
   EXPECT_NEAR(balls.volume, 61.6963612419, 1e-9);  // by slices
   EXPECT_NEAR(balls.area, 86.2215341214, 1e-9);
+}
+
+TEST(UnionOfBalls, OfCentresWhoseDistancesHaveNoSquares) {
+  const double none = 1e-170;
+  const UnionOfBalls line =
+      union_of_equal({0, 0, 0, 1, 0, 0, 0.5, none, 0, 0.5, 0, none, 0.5, -none, -none}, 1.0);
+  const UnionOfBalls three = union_of_equal({0, 0, 0, 1, 0, 0, 0.5, 0, 0}, 1.0);
+  EXPECT_NEAR(line.volume, three.volume, 1e-12);
+  EXPECT_NEAR(line.area, three.area, 1e-12);
+  for (const double close : {1e-160, 1e-170, 1e-200}) {
+    const UnionOfBalls corner =
+        union_of_equal({0, 0, 0, close, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, 1.0);
+    EXPECT_NEAR(corner.volume, 12.4776696972, 1e-9) << close;
+    EXPECT_NEAR(corner.area, 29.2486629787, 1e-9) << close;
+  }
 }
 
 }  // namespace

@@ -21,14 +21,14 @@ std::array<Sphere<3>, 4> at_tetrahedron(const std::array<double, 4>& radii) {
 
 TEST(InscribedBall, BetweenEqualBallsIsAtTheCentre) {
   const auto balls = at_tetrahedron({1, 1, 1, 1});
-  const auto inscribed = inscribed_ball<3>(balls, balls);
+  const auto inscribed = inscribed_ball<3>(point_of_equal_power<3>(balls), balls);
   for (const double x : inscribed.centre) EXPECT_NEAR(x, 0.0, 1e-15);
   EXPECT_NEAR(inscribed.radius, std::sqrt(3.0) - 1.0, 1e-15);
 }
 
 TEST(InscribedBall, TouchesBallsOfDifferentRadii) {
   const auto balls = at_tetrahedron({1.5, 0.5, 0.75, 1.0});
-  const auto inscribed = inscribed_ball<3>(balls, balls);
+  const auto inscribed = inscribed_ball<3>(point_of_equal_power<3>(balls), balls);
   EXPECT_GT(inscribed.radius, 0.0);
   for (const Sphere<3>& ball : balls) {
     double distance2 = 0.0;
@@ -42,7 +42,7 @@ TEST(InscribedBall, TouchesBallsOfDifferentRadii) {
 TEST(InscribedBall, InThePlaneTouchesThreeDisks) {
   const std::array<Sphere<2>, 3> disks{
       {{{0, 0}, 1, 1}, {{2, 0}, 1, 1}, {{1, std::sqrt(3.0)}, 1, 1}}};
-  const auto inscribed = inscribed_ball<2>(disks, disks);
+  const auto inscribed = inscribed_ball<2>(point_of_equal_power<2>(disks), disks);
   EXPECT_NEAR(inscribed.radius, 2 / std::sqrt(3.0) - 1.0, 1e-15);  // Soddy's inner circle
   EXPECT_NEAR(inscribed.centre[0], 1.0, 1e-15);
 }
@@ -52,7 +52,7 @@ TEST(InscribedBall, GivesWayToABallThatIsNearerThanTheCorners) {
   const auto corners = at_tetrahedron({1, 1, 1, 1});
   std::vector<Sphere<3>> balls(corners.begin(), corners.end());
   balls.push_back({{0.3, 0.2, 0.1}, 0.0001, 0.01});
-  const auto inscribed = inscribed_ball<3>(corners, balls);
+  const auto inscribed = inscribed_ball<3>(point_of_equal_power<3>(corners), balls);
   int touched = 0;
   for (const Sphere<3>& ball : balls) {
     const double gap = std::hypot(inscribed.centre[0] - ball.x[0], inscribed.centre[1] - ball.x[1],
@@ -67,7 +67,14 @@ TEST(InscribedBall, GivesWayToABallThatIsNearerThanTheCorners) {
 
 TEST(InscribedBall, IsNoneWhereTheCornersCoverTheirOwnCentre) {
   const auto balls = at_tetrahedron({2, 2, 2, 2});
-  EXPECT_LT(inscribed_ball<3>(balls, balls).radius, 0.0);
+  EXPECT_LT(inscribed_ball<3>(point_of_equal_power<3>(balls), balls).radius, 0.0);
+}
+
+TEST(InscribedBall, IsNoneAroundAPointThatIsNotFinite) {
+  const auto balls = at_tetrahedron({1, 1, 1, 1});
+  const auto flat = point_of_equal_power<3>({{{{0, 0, 0}}, {{1, 0, 0}}, {{2, 0, 0}}, {{3, 0, 0}}}});
+  EXPECT_LT(ball_around<3>(flat, balls).radius, 0.0);
+  EXPECT_LT(inscribed_ball<3>(flat, balls).radius, 0.0);
 }
 
 }  // namespace

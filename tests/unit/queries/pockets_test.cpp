@@ -81,6 +81,19 @@ TEST(Pockets, AWideOpeningIsNone) {
   EXPECT_TRUE(pockets(filtration, filtration.index(0.0), 0.0).empty());
 }
 
+TEST(Pockets, HaveMouthsBesideBallsThatOthersCover) {
+  // A small disk inside a large one has a power cell but is in no mouth: the mouth of the triangle
+  // of large disks is as wide as without it.
+  const auto filtration =
+      filtration_of<2>({2, {0, 0, 8.9, 0, 25, 0, 12, 25}, WeightKind::radius, {10, 1, 10, 10}});
+  ASSERT_EQ(filtration.triangulation().vertex_count(), 4U);
+  const auto found = pockets(filtration, filtration.index(0.0), 0.0);
+  ASSERT_EQ(found.size(), 1U);
+  double narrowest = 1e9;
+  for (const Mouth& mouth : found[0].mouths) narrowest = std::min(narrowest, mouth.area);
+  EXPECT_NEAR(narrowest, 5.0, 1e-13);
+}
+
 TEST(Pockets, OnTheFacetNothingFlows) {
   // A square cell whose orthocentre lies on the diagonal, and on the hull's edges where they are
   // hypotenuses: the right triangle flows nowhere, so its inside is a pocket with mouths.

@@ -112,6 +112,34 @@ TEST(Voids, InThePlaneAreHoles) {
   EXPECT_EQ(found[0].lining.size(), 4U);
 }
 
+TEST(Voids, HaveNoBallLargerThanThemselves) {
+  // Corners of a large cube but for the last bits: where the orthocentres of its flat cells lie is
+  // rounding.
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    generators::Random random(seed);
+    constexpr double kSide = 4e15;
+    std::vector<double> x;
+    for (int i = 0; i < 8; ++i) {
+      for (const int bit : {i & 1, i >> 1 & 1, i >> 2 & 1}) {
+        x.push_back((bit != 0 ? kSide : -kSide) + random.integer(-1, 1));
+      }
+    }
+    const auto filtration = filtration_of<3>({3, x, WeightKind::none, {}});
+    const double alpha2 = 2.2 * kSide * kSide;
+    for (const auto& one : voids(filtration, filtration.index(alpha2), alpha2, VoidsOf::balls)) {
+      EXPECT_LT(one.largest_ball_radius, kSide) << seed;
+    }
+  }
+}
+
+TEST(Voids, RefuseAnAlphaThatIsNoNumber) {
+  const auto filtration = filtration_of<3>(octahedron(0.9));
+  for (const double alpha2 : {std::nan(""), HUGE_VAL}) {
+    EXPECT_THROW(static_cast<void>(voids(filtration, 1, alpha2, VoidsOf::balls)), InputError);
+    EXPECT_THROW(static_cast<void>(union_of_balls(filtration, 1, alpha2, {})), InputError);
+  }
+}
+
 TEST(Voids, AreNoneOfFlatSitesAndOfNone) {
   EXPECT_TRUE(voids(filtration_of<3>(WeightedPoints(3)), 0, 0.0, VoidsOf::balls).empty());
   const auto flat = filtration_of<3>(
