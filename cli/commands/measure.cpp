@@ -34,7 +34,12 @@ struct MeasureOptions {
   std::string output = "-";
   std::string format;  // text, json; empty: from the name of the output
   bool json = false;
-  std::string per_atom, per_residue, contacts, voids, derivatives, pdb, mesh, script;
+  std::string per_atom, per_residue, contacts, residue_contacts, voids, derivatives, pdb, mesh,
+      script;
+
+  [[nodiscard]] bool wants_contacts() const {
+    return !contacts.empty() || !residue_contacts.empty();
+  }
 };
 
 bool is_json(const MeasureOptions& options) {
@@ -43,11 +48,15 @@ bool is_json(const MeasureOptions& options) {
 }
 
 std::vector<NamedOutput> outputs(const MeasureOptions& options) {
-  return {
-      {"--per-atom", options.per_atom},           {"--per-residue", options.per_residue},
-      {"--contacts", options.contacts},           {"--voids", options.voids},
-      {"--derivatives", options.derivatives},     {"--pdb", options.pdb, OutputKind::atoms},
-      {"--mesh", options.mesh, OutputKind::mesh}, {"--script", options.script, OutputKind::script}};
+  return {{"--per-atom", options.per_atom},
+          {"--per-residue", options.per_residue},
+          {"--contacts", options.contacts},
+          {"--residue-contacts", options.residue_contacts},
+          {"--voids", options.voids},
+          {"--derivatives", options.derivatives},
+          {"--pdb", options.pdb, OutputKind::atoms},
+          {"--mesh", options.mesh, OutputKind::mesh},
+          {"--script", options.script, OutputKind::script}};
 }
 
 // What happened to the rows: each is counted once.
@@ -212,6 +221,9 @@ void write_tables(const MeasureOptions& options, const Loaded& input, const Meas
         [&](orthoball::ByteSink& sink) { write_residues_csv(sink, balls, labels); });
   write(options.contacts,
         [&](orthoball::ByteSink& sink) { write_contacts_csv(sink, balls.contacts); });
+  write(options.residue_contacts, [&](orthoball::ByteSink& sink) {
+    write_residue_contacts_csv(sink, balls.contacts, balls.areas.size(), labels);
+  });
   write(options.voids,
         [&](orthoball::ByteSink& sink) { orthoball::write_voids_csv<D>(sink, measured.voids); });
   write(options.derivatives,
@@ -251,10 +263,12 @@ void write_pictures(const MeasureOptions& options, const Loaded& input,
 
 void check_residues(const MeasureOptions& options, const orthoball::Reading& reading) {
   const orthoball::SiteLabels& labels = reading.labels;
-  if (options.per_residue.empty() || reading.points.size() == 0) return;
+  const bool is_wanted = !options.per_residue.empty() || !options.residue_contacts.empty();
+  if (!is_wanted || reading.points.size() == 0) return;
   if (!labels.residue.empty() || !labels.residue_id.empty() || !labels.chain.empty()) return;
-  throw UsageError("--per-residue: " + reading.file +
-                   " names no residues; --per-atom gives a line for every row");
+  throw UsageError((options.per_residue.empty() ? "--residue-contacts: " : "--per-residue: ") +
+                   reading.file +
+                   " names no residues; --per-atom and --contacts have lines for rows");
 }
 
 template <int D>
@@ -265,13 +279,13 @@ Measured<D> measure(const MeasureOptions& options, const Loaded& input,
   const std::uint64_t of_derivatives =
       options.derivatives.empty() ? 0 : 8 * std::uint64_t{4 * D + 2} * sites;
   const std::uint64_t of_contacts =
-      options.contacts.empty() ? 0 : 2 * sizeof(orthoball::Contact) * filtration.count(1);
+      options.wants_contacts() ? 2 * sizeof(orthoball::Contact) * filtration.count(1) : 0;
   require_memory(options.balls.input, 400 * sites + of_derivatives + of_contacts, "the measures");
   const orthoball::Threads threads = threads_of(options.balls.input);
   const ChosenAlpha at = chosen_alpha(options.balls, input);
   orthoball::UnionOfBalls balls = orthoball::union_of_balls<D>(
       filtration, at.index, at.alpha2,
-      {!options.contacts.empty(), !options.derivatives.empty(), threads});
+      {options.wants_contacts(), !options.derivatives.empty(), threads});
   const BallCounts counts = ball_counts(input, filtration, balls);
   return {{at, probe},
           std::move(balls),
@@ -335,6 +349,7 @@ void add_output_options(CLI::App& command, MeasureOptions& options) {
   file("--per-atom", options.per_atom, "area and volume of every ball's part, as CSV");
   file("--per-residue", options.per_residue, "the same summed by residue, as CSV");
   file("--contacts", options.contacts, "pairs of balls with the area of their contact, as CSV");
+  file("--residue-contacts", options.residue_contacts, "the same summed by residues, as CSV");
   file("--voids", options.voids, "voids with the balls around them, as CSV");
   file("--derivatives", options.derivatives,
        "of area and volume by every radius and centre, as CSV");
@@ -363,6 +378,7 @@ void add_measure_command(CLI::App& app) {
       "[length^2], volume [length^3]. --per-residue: chain, residue, atoms, area, volume.\n"
       "--contacts: row_1, row_2, area of the common facet of their power cells inside the union,\n"
       "exposed [length], how much of the circle in which they meet is on the surface.\n"
+      "--residue-contacts: chain_1, residue_1, chain_2, residue_2, pairs (of atoms), area.\n"
       "--voids: void, volume, area, atoms (the rows of the balls around it), born, dies [alpha2],\n"
       "x, y, z and radius of the largest ball inside. A void lives from alpha2 born to dies.\n"
       "--derivatives: row, area_by_radius, volume_by_radius, volume_by_x.., area_by_x...\n"

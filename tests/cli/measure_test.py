@@ -17,7 +17,8 @@ import unittest
 from program import C60, EIGHT, InAFolder, PROGRAM, SAMPLES, TWO_BALLS, ply
 
 DNA = str(SAMPLES / "bdna_dodecamer.pdb")
-TABLES = ["--per-atom", "--per-residue", "--contacts", "--voids", "--derivatives"]
+TABLES = ["--per-atom", "--per-residue", "--contacts", "--residue-contacts", "--voids",
+          "--derivatives"]
 
 
 class Measure(InAFolder):
@@ -243,6 +244,18 @@ class Tables(Measure):
         edges = sorted(tuple(map(int, row["vertices"].split())) for row in complex_at_0
                        if row["dimension"] == "1")
         self.assertEqual(pairs, edges)
+
+    def test_contacts_add_up_to_those_of_residues(self):
+        residue = {row["row"]: (row["chain"], row["residue"])
+                   for row in self.table("--per-atom", DNA)}
+        between = sum(float(row["area"]) for row in self.table("--contacts", DNA)
+                      if residue[row["row_1"]] != residue[row["row_2"]])
+        rows = self.table("--residue-contacts", DNA)
+        self.assert_close(sum(float(row["area"]) for row in rows), between)
+        pairs = {(r["chain_1"], r["residue_1"], r["chain_2"], r["residue_2"]) for r in rows}
+        self.assertEqual(len(pairs), len(rows))
+        self.assertIn(("A", "DC 1", "A", "DG 2"), pairs)
+        self.assertIn(("A", "DC 1", "B", "DG 12"), pairs)
 
     def test_derivatives_are_differences(self):
         balls = [[0, 0, 0, 1], [1.2, 0.1, 0, 1.1], [0.3, 1, 0.2, 0.9]]

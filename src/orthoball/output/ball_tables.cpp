@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "orthoball/output/ball_tables.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -51,6 +52,24 @@ void write_reals(ByteSink& sink, std::initializer_list<double> numbers) {
   }
 }
 
+// Who is of which residue; these in the order of their first rows.
+struct Residues {
+  std::vector<std::pair<std::string, std::string>> names;  // chain and residue
+  std::vector<std::size_t> of_row;
+};
+
+Residues residues_of(const SiteLabels& labels, std::size_t rows) {
+  Residues residues;
+  std::map<std::pair<std::string, std::string>, std::size_t> number_of;
+  for (std::size_t row = 0; row < rows; ++row) {
+    std::pair name(std::string(label_of(labels.chain, row)), residue_of(labels, row));
+    const auto [at, is_new] = number_of.try_emplace(name, residues.names.size());
+    if (is_new) residues.names.push_back(std::move(name));
+    residues.of_row.push_back(at->second);
+  }
+  return residues;
+}
+
 void write_row(ByteSink& sink, std::size_t row) { sink.integer(static_cast<std::int64_t>(row)); }
 
 }  // namespace
@@ -74,29 +93,55 @@ void write_balls_csv(ByteSink& sink, const UnionOfBalls& balls, const WeightedPo
 }
 
 void write_residues_csv(ByteSink& sink, const UnionOfBalls& balls, const SiteLabels& labels) {
-  struct Residue {
-    std::string chain, name;
+  struct Sums {
     std::size_t atoms = 0;
     CompensatedSum area{}, volume{};
   };
-  std::vector<Residue> residues;
-  std::map<std::pair<std::string, std::string>, std::size_t> number_of;
+  const Residues residues = residues_of(labels, balls.areas.size());
+  std::vector<Sums> sums(residues.names.size());
   for (std::size_t row = 0; row < balls.areas.size(); ++row) {
-    std::string chain(label_of(labels.chain, row)), name = residue_of(labels, row);
-    const auto [at, is_new] = number_of.try_emplace({chain, name}, residues.size());
-    if (is_new) residues.push_back({std::move(chain), std::move(name)});
-    Residue& residue = residues[at->second];
-    ++residue.atoms;
-    residue.area.add(balls.areas[row]);
-    residue.volume.add(balls.volumes[row]);
+    Sums& of_residue = sums[residues.of_row[row]];
+    ++of_residue.atoms;
+    of_residue.area.add(balls.areas[row]);
+    of_residue.volume.add(balls.volumes[row]);
   }
   sink.text("chain,residue,atoms,area,volume\n");
-  for (const Residue& residue : residues) {
-    write_text(sink, residue.chain);
-    write_texts(sink, {residue.name});
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    write_text(sink, residues.names[i].first);
+    write_texts(sink, {residues.names[i].second});
     sink.text(",");
-    write_row(sink, residue.atoms);
-    write_reals(sink, {residue.area.value().high, residue.volume.value().high});
+    write_row(sink, sums[i].atoms);
+    write_reals(sink, {sums[i].area.value().high, sums[i].volume.value().high});
+    sink.text("\n");
+  }
+  sink.flush();
+}
+
+void write_residue_contacts_csv(ByteSink& sink, std::span<const Contact> contacts, std::size_t rows,
+                                const SiteLabels& labels) {
+  struct Sums {
+    std::size_t pairs = 0;
+    CompensatedSum area{};
+  };
+  const Residues residues = residues_of(labels, rows);
+  std::map<std::pair<std::size_t, std::size_t>, Sums> sums;
+  for (const Contact& contact : contacts) {
+    const std::size_t one = residues.of_row[contact.rows[0].row()];
+    const std::size_t other = residues.of_row[contact.rows[1].row()];
+    if (one == other) continue;
+    Sums& of_pair = sums[std::minmax(one, other)];
+    ++of_pair.pairs;
+    of_pair.area.add(contact.area);
+  }
+  sink.text("chain_1,residue_1,chain_2,residue_2,pairs,area\n");
+  for (const auto& [pair, of_pair] : sums) {
+    const auto& [chain_1, residue_1] = residues.names[pair.first];
+    const auto& [chain_2, residue_2] = residues.names[pair.second];
+    write_text(sink, chain_1);
+    write_texts(sink, {residue_1, chain_2, residue_2});
+    sink.text(",");
+    write_row(sink, of_pair.pairs);
+    write_reals(sink, {of_pair.area.value().high});
     sink.text("\n");
   }
   sink.flush();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "orthoball/input/site_labels.h"
@@ -28,6 +29,12 @@ void write_residues_csv(ByteSink& sink, const UnionOfBalls& balls, const SiteLab
 
 /// `row_1,row_2,area,exposed`, one line a pair of balls that touch, in the order given.
 void write_contacts_csv(ByteSink& sink, std::span<const Contact> contacts);
+
+/// `chain_1,residue_1,chain_2,residue_2,pairs,area`: contacts between different residues, summed
+/// over the pairs of their atoms that touch; residues in the order in which they come first.
+/// @param rows  of the input.
+void write_residue_contacts_csv(ByteSink& sink, std::span<const Contact> contacts, std::size_t rows,
+                                const SiteLabels& labels);
 
 /// `row,area_by_radius,volume_by_radius,volume_by_x,..,area_by_x,..`, one line an input row, with
 /// as many axes as there are. The derivative of the volume by a radius is the ball's area.

@@ -85,6 +85,19 @@ TEST(ContactTable, HasALineForEveryPair) {
             "1,2,3,0\n");
 }
 
+TEST(ResidueContactTable, SumsPairsOfDifferentResidues) {
+  UnionOfBalls three = balls();
+  three.contacts = {{{SiteId(0), SiteId(1)}, 0.5, 1},
+                    {{SiteId(0), SiteId(2)}, 0.75, 1},
+                    {{SiteId(1), SiteId(2)}, 3, 0},
+                    {{SiteId(1), SiteId(3)}, 0.25, 0}};
+  EXPECT_EQ(
+      written([&](ByteSink& s) { write_residue_contacts_csv(s, three.contacts, 4, labels()); }),
+      "chain_1,residue_1,chain_2,residue_2,pairs,area\n"
+      "A,ALA 12,\"B,1\",GLY 7A,2,3.5\n"
+      "\"B,1\",GLY 7A,,,1,0.25\n");
+}
+
 TEST(DerivativeTable, HasAsManyAxesAsThereAre) {
   UnionOfBalls moved = balls();
   moved.areas = {1.5, 2};
