@@ -197,13 +197,12 @@ void ContactFacets<3>::find_heights(Threads threads) {
 namespace {
 
 // What angles of an edge are summed for.
-enum Sum : std::uint32_t {
-  kInside,       // of the cells around it
-  kBeside,       // of the tetrahedra beside exposed triangles
-  kTaken,        // solid angles of these at the two ends
-  kOpening = 4,  // of the circle, seen from the two centres
-  kSums = 6,
-};
+using Sum = std::uint32_t;
+constexpr Sum kInside = 0;   // of the cells around it
+constexpr Sum kBeside = 1;   // of the tetrahedra beside exposed triangles
+constexpr Sum kTaken = 2;    // solid angles of these at the two ends
+constexpr Sum kOpening = 4;  // of the circle, seen from the two centres
+constexpr Sum kSums = 6;
 
 // Looks around edges in space, one by one: everything about them but the angles, for which it asks.
 class EdgeInSpace {

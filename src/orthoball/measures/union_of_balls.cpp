@@ -53,9 +53,11 @@ class Union {
  private:
   static constexpr double kAllDirections = (D == 3 ? 4 : 2) * std::numbers::pi;
 
-  InputUnits units(int power) const { return facets_.units(power); }
+  [[nodiscard]] InputUnits units(int power) const { return facets_.units(power); }
   static double in(const InputUnits& units, double value) { return units({value, 0.0}); }
-  bool is_in(SimplexId simplex) const { return filtration_.enters(simplex) <= index_; }
+  [[nodiscard]] bool is_in(SimplexId simplex) const {
+    return filtration_.enters(simplex) <= index_;
+  }
 
   void add_edges();
   void add(const ContactFacet<D>& facet);
@@ -166,10 +168,11 @@ void Union<D>::add_vertices() {
     if (!options_.derivatives) continue;
     derivatives.area_by_radius[row] = in(lower, (D == 3 ? 2 * r : 1.0) * exposed - turned_[vertex]);
     for (std::size_t axis = 0; axis < D; ++axis) {
-      const double pushed = pushed_[D * vertex + axis];
+      const double pushed = pushed_[std::size_t{D} * vertex + axis];
       derivatives.volume_by_centre[D * row + axis] = in(areas, pushed);
       derivatives.area_by_centre[D * row + axis] =
-          r > 0.0 ? in(lower, (D - 1) / r * pushed - dragged_[D * vertex + axis]) : 0.0;
+          r > 0.0 ? in(lower, (D - 1) / r * pushed - dragged_[std::size_t{D} * vertex + axis])
+                  : 0.0;
     }
   }
   result_.volume = volumes(volume.value());

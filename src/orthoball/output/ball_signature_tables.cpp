@@ -81,6 +81,7 @@ void write_ball_signatures_npz(ByteSink& sink, const std::vector<BallSignatureRo
   const std::size_t n = rows.size();
   const auto column = [&](std::string_view name, auto type, const auto& value_of) {
     std::vector<decltype(type)> values;
+    values.reserve(n);
     for (const auto& row : rows) values.push_back(value_of(row));
     archive.add<decltype(type)>(name, std::array{n}, values);
   };

@@ -30,7 +30,7 @@ char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned 
 
 // A number of a width as decimals, then A000.. to ZZZZ, then a000.. to zzzz; empty beyond.
 std::string hybrid_36(std::int64_t number, std::size_t width) {
-  const std::string decimal = fmt::format("{:>{}}", number, width);
+  std::string decimal = fmt::format("{:>{}}", number, width);
   if (decimal.size() == width) return decimal;
   std::int64_t tens = 1, power = 1;  // 10^width, 36^(width - 1)
   for (std::size_t i = 0; i < width; ++i) tens *= 10;

@@ -118,6 +118,7 @@ std::vector<InscribedBall<D>> FreeSpace<D>::empty_balls(std::span<const SimplexI
     }
   }
   std::vector<Sphere<D>> lining;
+  lining.reserve(vertices.size());
   for (const VertexId vertex : vertices) lining.push_back(ball(vertex));
   const auto is_larger = [](const InscribedBall<D>& a, const InscribedBall<D>& b) {
     return a.radius > b.radius;

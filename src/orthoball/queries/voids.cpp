@@ -125,7 +125,7 @@ class VoidMeasures {
   VoidMeasures(const Filtration<D>& filtration, std::uint32_t index, double alpha2, VoidsOf of)
       : filtration_(filtration), free_(filtration, index, alpha2), of_(of) {}
 
-  Void<D> measured(const Component& component) const {
+  [[nodiscard]] Void<D> measured(const Component& component) const {
     Void<D> result;
     const std::uint32_t first = filtration_.table().first(D);
     result.born = component.born;
@@ -185,6 +185,7 @@ void VoidMeasures<D>::find_largest_ball(Void<D>& result) const {
   }
   if (vertices.size() <= D) return;
   std::vector<Sphere<D>> balls;
+  balls.reserve(vertices.size());
   for (const VertexId vertex : vertices) balls.push_back(ball(vertex));
   // From the cells with the largest orthoballs.
   constexpr std::size_t kMostStarts = 64;
