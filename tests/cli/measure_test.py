@@ -281,6 +281,7 @@ class Tables(Measure):
         for column in ["volume", "area", "born", "dies"]:
             self.assertEqual(float(row[column]), void[column])
         self.assertEqual(list(map(int, row["atoms"].split())), void["atoms"])
+        self.assertEqual(list(map(float, row["atom_areas"].split())), void["atom_areas"])
         self.assertEqual([float(row[axis]) for axis in "xyz"], void["largest_ball"]["centre"])
         self.assertEqual(float(row["radius"]), void["largest_ball"]["radius"])
 

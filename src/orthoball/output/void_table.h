@@ -8,10 +8,11 @@
 
 namespace orthoball {
 
-/// Voids as CSV: `void,volume,area,atoms,born,dies,x,y,z,radius`, one line a void in the order
-/// given, numbered from 1. `atoms` are the input rows of the lining balls, from 0, with blanks
-/// between; `born` and `dies` alpha2; the rest is the largest ball inside. In the plane there is no
-/// `z`. Numbers beyond the double range are left empty.
+/// Voids as CSV: `void,volume,area,atoms,atom_areas,born,dies,x,y,z,radius`, one line a void in the
+/// order given, numbered from 1. `atoms` are the input rows of the lining balls, from 0, with
+/// blanks between, `atom_areas` what the void has of their surfaces, likewise; `born` and `dies`
+/// alpha2; the rest is the largest ball inside, left empty where none was found. In the plane there
+/// is no `z`. Numbers beyond the double range are left empty.
 template <int D>
 void write_voids_csv(ByteSink& sink, std::span<const Void<D>> voids);
 

@@ -28,16 +28,25 @@ Void<D> some_void() {
 TEST(VoidTable, HasALineForEveryVoid) {
   const std::array voids{some_void<3>(), some_void<3>()};
   EXPECT_EQ(written([&](ByteSink& s) { write_voids_csv<3>(s, voids); }),
-            "void,volume,area,atoms,born,dies,x,y,z,radius\n"
-            "1,2.5,9,1 7,-0.25,3,0,0.5,0.5,0.125\n"
-            "2,2.5,9,1 7,-0.25,3,0,0.5,0.5,0.125\n");
+            "void,volume,area,atoms,atom_areas,born,dies,x,y,z,radius\n"
+            "1,2.5,9,1 7,4 5,-0.25,3,0,0.5,0.5,0.125\n"
+            "2,2.5,9,1 7,4 5,-0.25,3,0,0.5,0.5,0.125\n");
 }
 
 TEST(VoidTable, HasTwoAxesInThePlane) {
   const std::array holes{some_void<2>()};
   EXPECT_EQ(written([&](ByteSink& s) { write_voids_csv<2>(s, holes); }),
-            "void,volume,area,atoms,born,dies,x,y,radius\n"
-            "1,2.5,9,1 7,-0.25,3,0,0.5,0.125\n");
+            "void,volume,area,atoms,atom_areas,born,dies,x,y,radius\n"
+            "1,2.5,9,1 7,4 5,-0.25,3,0,0.5,0.125\n");
+}
+
+TEST(VoidTable, LeavesABallThatWasNotFoundEmpty) {
+  std::array holes{some_void<2>()};
+  holes[0].largest_ball_radius = 0.0;
+  holes[0].lining.clear();
+  EXPECT_EQ(written([&](ByteSink& s) { write_voids_csv<2>(s, holes); }),
+            "void,volume,area,atoms,atom_areas,born,dies,x,y,radius\n"
+            "1,2.5,9,,,-0.25,3,,,\n");
 }
 
 }  // namespace
