@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace orthoball {
@@ -16,5 +18,11 @@ struct SiteLabels {
   std::vector<std::string> residue_id;  ///< [row] residue number with insertion code
   std::vector<std::string> chain;       ///< [row]
 };
+
+/// The label of a row among those of one kind; empty where the format does not say.
+[[nodiscard]] inline std::string_view label_of(const std::vector<std::string>& labels,
+                                               std::size_t row) {
+  return row < labels.size() ? std::string_view(labels[row]) : std::string_view();
+}
 
 }  // namespace orthoball

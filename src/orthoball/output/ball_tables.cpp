@@ -16,12 +16,6 @@
 namespace orthoball {
 namespace {
 
-using Labels = std::vector<std::string>;  // [row], or empty
-
-std::string_view label_of(const Labels& labels, std::size_t row) {
-  return row < labels.size() ? std::string_view(labels[row]) : std::string_view();
-}
-
 // "ALA 12", as far as it is known.
 std::string residue_of(const SiteLabels& labels, std::size_t row) {
   std::string text(label_of(labels.residue, row));

@@ -19,12 +19,6 @@
 namespace orthoball {
 namespace {
 
-using Labels = std::vector<std::string>;  // [row], or empty
-
-std::string_view label_of(const Labels& labels, std::size_t row) {
-  return row < labels.size() ? std::string_view(labels[row]) : std::string_view();
-}
-
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -79,6 +81,19 @@ class FreeSpace {
   std::uint32_t index_;
   ContactFacets<D> balls_;
 };
+
+/// The order of voids and pockets: the largest volume first, then the lowest row around; a volume
+/// that is no number last.
+template <class Region>
+[[nodiscard]] bool is_listed_before(const Region& a, const Region& b) {
+  const auto volume = [](const Region& one) {
+    return std::isnan(one.volume) ? -std::numeric_limits<double>::infinity() : one.volume;
+  };
+  const auto row = [](const Region& one) {
+    return one.lining.empty() ? SiteId() : one.lining[0].row;
+  };
+  return volume(a) != volume(b) ? volume(a) > volume(b) : row(a) < row(b);
+}
 
 // Each dimension has its own, defined in free_space.cpp.
 template <>

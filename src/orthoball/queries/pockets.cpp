@@ -199,13 +199,7 @@ std::vector<Pocket> pockets(const Filtration<D>& filtration, std::uint32_t index
   PocketSearch<D> search(filtration, index, alpha2);
   if (filtration.triangulation().affine_dimension() < D) return {};
   std::vector<Pocket> found = search.found(threads);
-  std::stable_sort(found.begin(), found.end(), [](const Pocket& a, const Pocket& b) {
-    if (a.volume != b.volume) return a.volume > b.volume;
-    const auto first = [](const Pocket& one) {
-      return one.lining.empty() ? SiteId() : one.lining[0].row;
-    };
-    return first(a) < first(b);
-  });
+  std::stable_sort(found.begin(), found.end(), is_listed_before<Pocket>);
   return found;
 }
 

@@ -221,13 +221,7 @@ std::vector<Void<D>> voids(const Filtration<D>& filtration, std::uint32_t index,
   std::vector<Void<D>> result(components.size());
   parallel_for(threads, components.size(),
                [&](std::size_t i) { result[i] = measures.measured(components[i]); });
-  std::stable_sort(result.begin(), result.end(), [](const Void<D>& a, const Void<D>& b) {
-    if (a.volume != b.volume) return a.volume > b.volume;
-    const auto first = [](const Void<D>& one) {
-      return one.lining.empty() ? SiteId() : one.lining[0].row;
-    };
-    return first(a) < first(b);
-  });
+  std::stable_sort(result.begin(), result.end(), is_listed_before<Void<D>>);
   return result;
 }
 
