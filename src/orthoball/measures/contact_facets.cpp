@@ -12,12 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <string>
 #include <utility>
 
-#include "orthoball/error.h"
 #include "orthoball/filtration/edge_ring.h"
 #include "orthoball/filtration/face_vertices.h"
 
@@ -106,49 +103,12 @@ void look_around(const Filtration<3>& filtration, SimplexId edge, bool is_interi
                          last.cell, last.behind));
 }
 
-// The exponent of the power of two by which lengths are multiplied so that no radius is more than
-// 2^300, of which volumes, their sums and products on the way do not overflow. Those of sites are
-// less than that.
-template <int D>
-int shrinking(const Sites<D>& sites, double alpha2) {
-  constexpr int kLargest = 300;
-  constexpr double kBitsOfTen = 3.33;
-  if (!(alpha2 > 0.0)) return 0;
-  const double bits =
-      std::ilogb(alpha2) / 2.0 + sites.scale_exponent() + kBitsOfTen * sites.decimals();
-  return std::min(0, kLargest - static_cast<int>(bits));
-}
-
 }  // namespace
 
 template <int D>
 ContactFacets<D>::ContactFacets(const Filtration<D>& filtration, std::uint32_t index, double alpha2,
                                 Threads threads)
-    : filtration_(&filtration), index_(index) {
-  if (index > filtration.spectrum_size()) {
-    throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
-                     "index " + std::to_string(index) +
-                         " is beyond the spectrum; indices are 0 to " +
-                         std::to_string(filtration.spectrum_size()));
-  }
-  if (std::isnan(alpha2) || alpha2 == std::numeric_limits<double>::infinity()) {
-    throw InputError(InputError::Reason::not_finite, InputError::kNoRow,
-                     "alpha2 of a union of balls must be finite");
-  }
-  const Sites<D>& sites = filtration.triangulation().sites();
-  const int exponent = shrinking(sites, alpha2);
-  scale_exponent_ = sites.scale_exponent() + exponent;
-  const double added = from_input(alpha2, 2);
-  const double unit = std::ldexp(1.0, exponent);
-  spheres_.resize(sites.size());
-  for (std::size_t vertex = 0; vertex < sites.size(); ++vertex) {
-    const Site<D>& site = sites[vertex];
-    Sphere<D> sphere;
-    for (std::size_t axis = 0; axis < D; ++axis) sphere.x[axis] = site.x[axis] * unit;
-    sphere.weight = site.weight * unit * unit;
-    sphere.radius = std::sqrt(std::max(0.0, sphere.weight + added));
-    spheres_[vertex] = sphere;
-  }
+    : filtration_(&filtration), index_(index), balls_(filtration, index, alpha2) {
   const std::span<const std::uint32_t> enters = filtration.enters();
   is_in_complex_.resize(enters.size() / 64 + 1);
   for (std::size_t word = 0; word < is_in_complex_.size(); ++word) {
@@ -160,17 +120,6 @@ ContactFacets<D>::ContactFacets(const Filtration<D>& filtration, std::uint32_t i
     is_in_complex_[word] = bits;
   }
   find_heights(threads);
-}
-
-template <int D>
-InputUnits ContactFacets<D>::units(int power) const {
-  return {power, scale_exponent_, filtration_->triangulation().sites().decimals(), 1};
-}
-
-template <int D>
-double ContactFacets<D>::from_input(double value, int power) const {
-  return from_input_units(value, power, scale_exponent_,
-                          filtration_->triangulation().sites().decimals());
 }
 
 template <>
@@ -188,8 +137,8 @@ void ContactFacets<3>::find_heights(Threads threads) {
                      const SimplexId triangle(first + static_cast<std::uint32_t>(i));
                      if (!is_in(triangle) || is_interior(triangle)) continue;
                      const auto corners = face_vertices<3>(*filtration_, triangle);
-                     heights_[i] = meeting_height(spheres_[corners[0]], spheres_[corners[1]],
-                                                  spheres_[corners[2]]);
+                     heights_[i] = meeting_height(spheres()[corners[0]], spheres()[corners[1]],
+                                                  spheres()[corners[2]]);
                    }
                  });
 }
@@ -339,7 +288,7 @@ void ContactFacets<3>::measure(std::span<const SimplexId> edges, std::span<Conta
     const auto ends = face_vertices<2>(*filtration_, edges[i]);
     const bool is_inside = is_interior(edges[i]);
     look_around(*filtration_, edges[i], is_inside, ends, is_in_complex, room.around);
-    EdgeInSpace(spheres_, heights_, ends, is_inside, i, room).look_at(out[i]);
+    EdgeInSpace(spheres(), heights_, ends, is_inside, i, room).look_at(out[i]);
   }
   const std::size_t angles = room.angle_count;
   angles_from_x_axis(std::span(room.x).first(angles), std::span(room.y).first(angles),
@@ -358,7 +307,7 @@ void ContactFacets<3>::measure(std::span<const SimplexId> edges, std::span<Conta
     facet.area = std::max(0.0, facet.area + facet.lens.radius2 * facet.exposed / 2);
     facet.pieces += facet.lens.distance * facet.lens.radius2 * facet.exposed / 6;
     for (std::size_t end = 0; end < 2; ++end) {
-      const double r = spheres_[facet.ends[end]].radius;
+      const double r = spheres()[facet.ends[end]].radius;
       facet.taken[end] += inside + sums[kTaken + end];
       if (r > 0.0) facet.taken[end] += (r - facet.lens.height[end]) / r * facet.exposed;
     }
@@ -368,7 +317,7 @@ void ContactFacets<3>::measure(std::span<const SimplexId> edges, std::span<Conta
 template <>
 ContactFacet<2> ContactFacets<2>::in_plane(SimplexId edge) const {
   const auto ends = face_vertices<2>(*filtration_, edge);
-  const std::array<const Sphere<2>*, 2> ball{&spheres_[ends[0]], &spheres_[ends[1]]};
+  const std::array<const Sphere<2>*, 2> ball{&spheres()[ends[0]], &spheres()[ends[1]]};
   ContactFacet<2> facet;
   facet.ends = ends;
   facet.lens = lens(*ball[0], *ball[1]);
@@ -381,7 +330,7 @@ ContactFacet<2> ContactFacets<2>::in_plane(SimplexId edge) const {
       if (!is_in(triangle)) continue;
       for (const VertexId vertex : filtration_->vertices(triangle)) {
         if (vertex.row() == ends[0] || vertex.row() == ends[1]) continue;
-        const Sphere<2>& third = spheres_[vertex.row()];
+        const Sphere<2>& third = spheres()[vertex.row()];
         const double x = third.x[0] - ball[0]->x[0], y = third.x[1] - ball[0]->x[1];
         facet.exposed -= 1.0;
         across -= axis[0] * y - axis[1] * x > 0.0 ? facet.lens.radius : -facet.lens.radius;

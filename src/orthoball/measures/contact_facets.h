@@ -10,8 +10,8 @@
 
 #include "orthoball/filtration/bit_run.h"
 #include "orthoball/filtration/filtration.h"
-#include "orthoball/measures/input_units.h"
 #include "orthoball/measures/lens.h"
+#include "orthoball/measures/scaled_balls.h"
 #include "orthoball/parallel.h"
 #include "orthoball/raw_vector.h"
 
@@ -50,24 +50,20 @@ struct ApexOfEdge {
 
 /// The contact facets of the union of balls that is dual to one alpha complex, each on demand.
 ///
-/// Lengths are those of Sites, but for a power of two where balls are so large that their volumes
-/// would overflow: `units` turns them into input units. Refers to the filtration; immutable; any
-/// number of threads may use it. 40 bytes a vertex, 8 a triangle in space and a bit a simplex.
+/// Lengths are those of ScaledBalls. Refers to the filtration; immutable; any number of threads may
+/// use it. 40 bytes a vertex, 8 a triangle in space and a bit a simplex.
 template <int D>
 class ContactFacets {
  public:
   /// @param alpha2  added to the weights, length^2 in input units.
-  /// @throws InputError for an index beyond the spectrum's size, and for an alpha2 that is infinite
-  ///         or no number, but -infinity.
+  /// @throws InputError as ScaledBalls does.
   ContactFacets(const Filtration<D>& filtration, std::uint32_t index, double alpha2,
                 Threads threads = Threads(1));
 
   /// From the units of all below. @param power  1 for lengths, 2 for areas, 3 for volumes.
-  [[nodiscard]] InputUnits units(int power) const;
-  /// The other way, of a number in input units.
-  [[nodiscard]] double from_input(double value, int power) const;
+  [[nodiscard]] InputUnits units(int power) const { return balls_.units(power); }
   /// [vertex]: the balls; radius 0 for those that are empty.
-  [[nodiscard]] std::span<const Sphere<D>> spheres() const { return spheres_; }
+  [[nodiscard]] std::span<const Sphere<D>> spheres() const { return balls_.spheres(); }
 
   /// Room for the work on many edges, to be kept from call to call.
   struct Room {
@@ -94,8 +90,7 @@ class ContactFacets {
 
   const Filtration<D>* filtration_;
   std::uint32_t index_;
-  int scale_exponent_;  // lengths are 2^this times those in the unit of the points
-  RawVector<Sphere<D>> spheres_;
+  ScaledBalls<D> balls_;
   /// In space, [triangle]: meeting_height() of those on the boundary, the same for their edges.
   RawVector<double> heights_;
   RawVector<std::uint64_t> is_in_complex_;  // bit per simplex: all that is read of most of them

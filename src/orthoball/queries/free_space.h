@@ -12,8 +12,8 @@
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/ids.h"
 #include "orthoball/measures/cell_gap.h"
-#include "orthoball/measures/contact_facets.h"
 #include "orthoball/measures/input_units.h"
+#include "orthoball/measures/scaled_balls.h"
 #include "orthoball/queries/inscribed_ball.h"
 
 namespace orthoball {
@@ -59,10 +59,10 @@ class FreeSpace {
   /// those whose centre a larger one holds are left out. Display only. Quadratic at worst.
   [[nodiscard]] std::vector<InscribedBall<D>> empty_balls(std::span<const SimplexId> cells) const;
 
-  /// In the units of ContactFacets: the orthocentre of a cell; not finite where the cell is so flat
+  /// In the units of ScaledBalls: the orthocentre of a cell; not finite where the cell is so flat
   /// that rounding decides where it is.
   [[nodiscard]] std::array<double, std::size_t{D}> orthocentre(SimplexId cell) const;
-  /// In the units of ContactFacets: the balls at the corners of a cell, by vertex.
+  /// In the units of ScaledBalls: the balls at the corners of a cell, by vertex.
   [[nodiscard]] Corners corners(SimplexId cell) const;
   [[nodiscard]] const Sphere<D>& ball(VertexId vertex) const {
     return balls_.spheres()[vertex.row()];
@@ -79,7 +79,7 @@ class FreeSpace {
 
   const Filtration<D>* filtration_;
   std::uint32_t index_;
-  ContactFacets<D> balls_;
+  ScaledBalls<D> balls_;
 };
 
 /// The order of voids and pockets: the largest volume first, then the lowest row around; a volume

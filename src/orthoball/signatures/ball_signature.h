@@ -50,7 +50,7 @@ class BallBoundaries {
   };
   /// Time grows with the edges at the boundary's vertices, but for passes over the vertices and
   /// over the indices of all simplices.
-  /// @throws InputError as ContactFacets does.
+  /// @throws InputError as ScaledBalls does.
   [[nodiscard]] Measures measures(const BallAlpha& alpha, Threads threads) const;
 
  private:

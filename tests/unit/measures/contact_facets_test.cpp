@@ -233,24 +233,5 @@ TEST(ContactFacets, OfCoplanarBallsAreCutOnBothSides) {
   EXPECT_EQ(inner, 1);
 }
 
-TEST(ContactFacets, KnowTheSpheresAtTheirAlpha2) {
-  const Filtration<3> filtration(
-      regular_triangulation<3>(WeightedPoints(3, {0, 0, 0, 4, 0, 0}, WeightKind::weight, {1, -3})));
-  const ContactFacets<3> facets(filtration, 0, 1.25);
-  ASSERT_EQ(facets.spheres().size(), 2U);
-  for (std::uint32_t vertex = 0; vertex < 2; ++vertex) {
-    const bool is_first = filtration.triangulation().sites().row(vertex).row() == 0;
-    const InputUnits lengths = facets.units(1), areas = facets.units(2);
-    EXPECT_EQ(lengths({facets.spheres()[vertex].radius, 0.0}), is_first ? 1.5 : 0.0);
-    EXPECT_EQ(areas({facets.spheres()[vertex].weight, 0.0}), is_first ? 1.0 : -3.0);
-  }
-  // Where volumes would overflow lengths are smaller, by a power of two.
-  const ContactFacets<3> huge(filtration, 1, 1e300);
-  for (const Sphere<3>& sphere : huge.spheres()) {
-    EXPECT_LT(sphere.radius, 0x1p+301);
-    EXPECT_NEAR(huge.units(1)({sphere.radius, 0.0}), 1e150, 1e135);
-  }
-}
-
 }  // namespace
 }  // namespace orthoball
