@@ -85,25 +85,23 @@ class Meter {
     wall_start_ = Clock::now();
   }
 
-  /// Ends a stage of the work: what its seconds are called in the report.
-  void stage(const std::string& name) { stages_.emplace_back(name, seconds()); }
+  /// Ends a stage of the work: what its seconds, of the processor and of the clock, are called in
+  /// the report.
+  void stage(const std::string& name) { stages_.push_back({name, seconds(), wall_seconds()}); }
 
   /// The result as one line of JSON. `counts` are what programs must agree on where they have them
   /// in common.
   void report(const Case& task,
               const std::vector<std::pair<std::string, std::size_t>>& counts) const {
     const double seconds = this->seconds();
-    const double wall = std::chrono::duration<double>(Clock::now() - wall_start_).count();
+    const double wall = wall_seconds();
     const double peak = status_megabytes("VmHWM");
     std::cout << "{\"seconds\": " << seconds << ", \"wall\": " << wall << ", \"peak_mb\": " << peak
               << ", \"own_mb\": " << peak - start_megabytes_ << ", \"threads\": " << task.threads
-              << ", \"input\": \"" << fingerprint(task.points) << "\", \"stages\": {";
-    double before = 0.0;
-    for (const auto& [name, until] : stages_) {
-      std::cout << (before == 0.0 ? "" : ", ") << '"' << name << "\": " << until - before;
-      before = until;
-    }
-    std::cout << "}, \"counts\": {";
+              << ", \"input\": \"" << fingerprint(task.points) << '"';
+    write_stages("stages", &Stage::seconds);
+    write_stages("wall_stages", &Stage::wall_seconds);
+    std::cout << ", \"counts\": {";
     const char* comma = "";
     for (const auto& [name, count] : counts) {
       std::cout << comma << '"' << name << "\": " << count;
@@ -114,15 +112,33 @@ class Meter {
 
  private:
   using Clock = std::chrono::steady_clock;
+  struct Stage {
+    std::string name;
+    double seconds;  // both since the work began
+    double wall_seconds;
+  };
 
+  void write_stages(const char* key, double Stage::*time) const {
+    std::cout << ", \"" << key << "\": {";
+    double before = 0.0;
+    for (const Stage& stage : stages_) {
+      std::cout << (before == 0.0 ? "" : ", ") << '"' << stage.name
+                << "\": " << stage.*time - before;
+      before = stage.*time;
+    }
+    std::cout << '}';
+  }
   [[nodiscard]] double seconds() const {
     return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC;
+  }
+  [[nodiscard]] double wall_seconds() const {
+    return std::chrono::duration<double>(Clock::now() - wall_start_).count();
   }
 
   double start_megabytes_ = 0.0;
   std::clock_t start_ = 0;
   Clock::time_point wall_start_;
-  std::vector<std::pair<std::string, double>> stages_;
+  std::vector<Stage> stages_;
 };
 
 }  // namespace orthoball::benchmarks
