@@ -27,6 +27,7 @@
 // topology, measures
 #include "orthoball/measures/ball_overlaps.h"
 #include "orthoball/measures/complex_measures.h"
+#include "orthoball/measures/molecular_surface.h"
 #include "orthoball/measures/union_of_balls.h"
 #include "orthoball/topology/betti.h"
 // signatures

@@ -9,6 +9,7 @@
 #include "fuzz/points_from_bytes.h"
 #include "orthoball/filtration/filter.h"
 #include "orthoball/filtration/filtration.h"
+#include "orthoball/measures/molecular_surface.h"
 #include "orthoball/measures/union_of_balls.h"
 #include "orthoball/queries/pockets.h"
 #include "orthoball/queries/voids.h"
@@ -38,6 +39,13 @@ void check_balls(const Filtration<D>& filtration) {
     }
     for (const Contact& contact : balls.contacts) {
       require(contact.area >= 0.0 && contact.exposed >= 0.0, "a contact is not a number");
+    }
+    if constexpr (D == 3) {
+      for (const double probe : {0.0, std::sqrt(std::abs(alpha2)) / 2, 1e300}) {
+        const MolecularSurface surface = molecular_surface(filtration, balls, probe, Threads(1));
+        require(surface.volume >= 0.0 && !std::isnan(surface.area),
+                "a molecular surface is not a number");
+      }
     }
     const auto voids = orthoball::voids(filtration, index, alpha2, VoidsOf::balls);
     require(voids.size() == betti_numbers(filtration, index)[D - 1], "voids are lost");

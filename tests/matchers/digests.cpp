@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "orthoball/filtration/filter.h"
+#include "orthoball/measures/molecular_surface.h"
 #include "orthoball/measures/union_of_balls.h"
 #include "orthoball/queries/pockets.h"
 #include "orthoball/queries/voids.h"
@@ -117,6 +118,11 @@ Digest balls_digest(const Filtration<D>& filtration, Threads threads) {
                      UnionOptions{.contacts = true, .derivatives = true, .threads = threads});
   for (const double number : {balls.volume, balls.area, balls.mean_curvature}) digest.add(number);
   digest.add(static_cast<std::uint64_t>(balls.euler));
+  if constexpr (D == 3) {
+    const MolecularSurface surface =
+        molecular_surface(filtration, balls, std::sqrt(std::abs(alpha2)) / 2, threads);
+    for (const double number : {surface.volume, surface.area}) digest.add(number);
+  }
   for (const SiteId row : filtration.triangulation().sites().rows()) {
     digest.add(balls.volumes[row.row()]);
     digest.add(balls.areas[row.row()]);
