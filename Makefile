@@ -24,7 +24,7 @@ help:
 	@echo 'make tidy       clang-tidy over everything that is compiled'
 	@echo 'make coverage   which lines the tests reach'
 	@echo 'make format     format the sources'
-	@echo 'make docs       write docs/cli.md from --help, and the picture of README.md'
+	@echo 'make docs       write docs/cli.md from --help, and the pictures of the documentation'
 	@echo 'make samples    write examples/data anew'
 	@echo 'make clean      remove build/ and out/'
 
@@ -108,6 +108,7 @@ format:
 docs: build
 	tools/cli_reference.py $(ORTHOBALL)
 	$(ORTHOBALL) signatures examples/data/linked_tori.csv -o /dev/null --plot docs/pictures/linked_tori.svg
+	$(ORTHOBALL) figure examples/data/trees.csv --radius-column crown -o docs/pictures/trees.svg
 
 samples:
 	examples/data/make_samples.py

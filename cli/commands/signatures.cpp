@@ -16,14 +16,12 @@
 #include "cli/commands.h"
 #include "cli/input_options.h"
 #include "cli/output_file.h"
+#include "cli/signature_picture.h"
 #include "cli/usage_error.h"
-#include "orthoball/counted.h"
 #include "orthoball/filtration/alpha.h"
 #include "orthoball/output/ball_signature_tables.h"
-#include "orthoball/output/signature_plot.h"
 #include "orthoball/output/tables.h"
 #include "orthoball/signatures/ball_signature.h"
-#include "orthoball/signatures/notable_alphas.h"
 #include "orthoball/signatures/signature.h"
 
 namespace {
@@ -105,35 +103,13 @@ std::optional<std::pair<double, double>> range_from_text(const std::string& text
   return range;
 }
 
-orthoball::PlotOptions plot_options(const SignaturesOptions& options, const Loaded& input) {
-  orthoball::PlotOptions plot;
-  plot.title = options.input.path == "-"
-                   ? "standard input"
-                   : options.input.path.substr(options.input.path.find_last_of('/') + 1);
-  plot.subtitle = fmt::format(
-      "{}, weights: {}", orthoball::counted(input.shapes.points().size(), "site"),
-      input.shapes.points().weight_kind() == orthoball::WeightKind::none ? "none"
-                                                                         : input.reading.radii);
-  plot.unit = input.unit();
+orthoball::PlotOptions plot_of(const SignaturesOptions& options, const Loaded& input) {
+  orthoball::PlotOptions plot = plot_options(options.input, input);
   plot.axis = options.plot_axis == "alpha2"  ? orthoball::PlotAxis::alpha2
               : options.plot_axis == "index" ? orthoball::PlotAxis::index
                                              : orthoball::PlotAxis::alpha;
   plot.range = range_from_text(options.plot_range);
   return plot;
-}
-
-template <int D>
-void write_plot(const SignaturesOptions& options, const Loaded& input,
-                const orthoball::Filtration<D>& filtration) {
-  orthoball::PlotOptions plot = plot_options(options, input);
-  for (const auto& notable : orthoball::notable_alphas(filtration)) {
-    if (notable.index) plot.marks.push_back({notable.name, *notable.index, notable.alpha2});
-  }
-  orthoball::SignaturePlot<D> picture(filtration, std::move(plot));
-  orthoball::scan_signatures<D>(
-      filtration, [&](const orthoball::Signature<D>& s) { picture.add(s); },
-      threads_of(options.input));
-  write_output(options.plot, "0", [&](orthoball::ByteSink& sink) { picture.write(sink); });
 }
 
 template <int D>
@@ -203,11 +179,7 @@ void check_plot(const SignaturesOptions& options) {
     throw UsageError("--plot and -o name the same file; table and plot need one each");
   }
   require_other_file(options.input, options.plot);
-  const std::string ending = ending_of(options.plot);
-  if (!ending.empty() && ending != "svg") {
-    throw UsageError(
-        fmt::format("--plot {}: a plot is SVG; the name must end in .svg", options.plot));
-  }
+  require_svg("--plot", options.plot);
 }
 
 void run(const SignaturesOptions& options) {
@@ -232,7 +204,9 @@ void run(const SignaturesOptions& options) {
         require_memory(options.input, orthoball::signature_memory(filtration.size()),
                        "the signatures");
         if (options.balls) return write_balls_table(options, input, filtration);
-        if (!options.plot.empty()) write_plot(options, input, filtration);
+        if (!options.plot.empty()) {
+          write_signature_picture(options.plot, options.input, filtration, plot_of(options, input));
+        }
         write_table(options, input, progress, filtration);
       },
       input.shapes.filtration());

@@ -202,11 +202,24 @@ def figure_eight():
     return lines
 
 
+def trees():
+    """36 trees on a plot of 60 by 40 metres, with the radius of each crown."""
+    lines = ["x,y,crown"]
+    plastic = Decimal("1.32471795724474602596")
+    for i in range(1, 37):
+        x, y = 60 * (i / plastic % 1), 40 * (i / plastic**2 % 1)
+        sway, swing, size = ((i * i * GOLDEN * k) % 1 for k in (1, 2, 3))
+        place = (x + 7 * sway, y + 7 * swing, 3 + 3 * size**2)
+        lines.append(",".join(fixed(c, 2) for c in place))
+    return lines
+
+
 SAMPLES = {
     "bdna_dodecamer.pdb": lambda: bdna("CGCGAATTCGCG"),
     "c60.xyz": c60,
     "linked_tori.csv": linked_tori,
     "figure_eight.csv": figure_eight,
+    "trees.csv": trees,
     "two_balls.xyzr": lambda: ["0 0 0 1", "3 0 0 1"],
 }
 

@@ -35,6 +35,7 @@
 #include "orthoball/signatures/notable_alphas.h"
 #include "orthoball/signatures/signature.h"
 // queries
+#include "orthoball/queries/planar_union.h"
 #include "orthoball/queries/pockets.h"
 #include "orthoball/queries/voids.h"
 // output

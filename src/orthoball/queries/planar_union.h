@@ -14,7 +14,7 @@ namespace orthoball {
 /// A piece of the boundary of a disk's part: an arc of its circle, on the boundary of the union, or
 /// a segment that it shares with the part of a neighbour.
 struct DiskPiece {
-  std::array<double, 2> from{}, to{};
+  std::array<double, 2> from{}, to{};  ///< its ends
   double turn = 0.0;   ///< of an arc, counterclockwise, in [0, 2 pi] radians; of a segment 0
   SiteId neighbour{};  ///< of a segment the other disk's row; of an arc none
 
@@ -24,7 +24,7 @@ struct DiskPiece {
 /// The part that a disk has of a union: the disk cut by its power cell.
 struct DiskPart {
   SiteId row;
-  std::array<double, 2> centre{};
+  std::array<double, 2> centre{};  ///< of the disk
   double radius = 0.0;
   std::vector<DiskPiece> boundary;  ///< counterclockwise; each begins where the one before ends
 };
