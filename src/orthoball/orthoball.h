@@ -30,6 +30,7 @@
 #include "orthoball/measures/molecular_surface.h"
 #include "orthoball/measures/union_of_balls.h"
 #include "orthoball/topology/betti.h"
+#include "orthoball/topology/persistence.h"
 // signatures
 #include "orthoball/signatures/ball_signature.h"
 #include "orthoball/signatures/notable_alphas.h"

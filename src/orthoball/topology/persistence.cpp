@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: MIT
+//
+// Simplices of one dimension come in the order of their keys, (enters, number). A simplex and its
+// last facet are a pair if it is the facet's first coface; no column is needed to see that. In
+// alpha complexes these apparent pairs are most, because attached simplices enter with a coface.
+//
+// In the highest dimension they make trees of cells, each pointing to the cell beyond its last
+// facet, which comes later; a facet between two trees comes before all that lead from its ends to
+// the roots, so trees can be joined as if they were single cells. In dimension 1 their boundaries
+// are columns that need not be stored.
+//
+// Edelsbrunner, Letscher, Zomorodian. Topological persistence and simplification. Discrete &
+// Computational Geometry 28 (2002).
+// Bauer. Ripser: efficient computation of Vietoris-Rips persistence barcodes. Journal of Applied
+// and Computational Topology 5 (2021), for apparent pairs.
+#include "orthoball/topology/persistence.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "orthoball/filtration/edge_ring.h"
+#include "orthoball/filtration/face_vertices.h"
+#include "orthoball/radix_sort.h"
+#include "orthoball/raw_vector.h"
+#include "orthoball/topology/facet_roles.h"
+#include "orthoball/topology/spanning_forest.h"
+#include "orthoball/topology/union_find.h"
+
+namespace orthoball {
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+// The simplices of one dimension, by number.
+class Simplices {
+ public:
+  template <int D>
+  Simplices(const Filtration<D>& filtration, int dimension)
+      : first_(filtration.table().first(dimension)),
+        enters_(filtration.enters().subspan(first_, filtration.count(dimension))) {}
+
+  [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(enters_.size()); }
+  [[nodiscard]] std::uint32_t enters(std::uint32_t number) const { return enters_[number]; }
+  [[nodiscard]] std::uint64_t key(std::uint32_t number) const {
+    return std::uint64_t{enters_[number]} << 32U | number;
+  }
+  [[nodiscard]] SimplexId id(std::uint32_t number) const { return SimplexId(first_ + number); }
+
+ private:
+  std::uint32_t first_;
+  std::span<const std::uint32_t> enters_;
+};
+
+template <int D>
+class Pairing {
+ public:
+  Pairing(const Filtration<D>& filtration, WantedPairs wanted)
+      : filtration_(filtration), wanted_(wanted) {}
+
+  PersistencePairs<D> found(Threads threads) {
+    threads = threads.for_work(filtration_.size(), kLeastSimplices);
+    const int affine = filtration_.triangulation().affine_dimension();
+    parallel_for(threads, 2, [&](std::size_t task) {
+      if (task == 1) return pair_components();
+      if (affine == 2) return pair_cells<2>();
+      if constexpr (D == 3) {
+        if (affine == 3) pair_cells<3>();
+      }
+    });
+    if constexpr (D == 3) {
+      if (affine == 3) pair_tunnels();
+    }
+    PersistencePairs<D> result;
+    parallel_for(threads, std::size_t{D}, [&](std::size_t k) {
+      radix_sort(pairs_[k]);
+      result[k].reserve(pairs_[k].size());
+      for (const KeyedRow& pair : pairs_[k]) {
+        result[k].push_back({SimplexId(static_cast<std::uint32_t>(pair.key)), SimplexId(pair.row)});
+      }
+    });
+    return result;
+  }
+
+ private:
+  void add(int dimension, SimplexId birth, SimplexId death) {
+    const std::uint32_t born = filtration_.enters(birth);
+    if (wanted_ == WantedPairs::all || !death.exists() || born < filtration_.enters(death)) {
+      pairs_[static_cast<std::size_t>(dimension)].push_back(
+          {std::uint64_t{born} << 32U | birth.row(), death.row()});
+    }
+  }
+  void pair_components();
+  template <int A>
+  void pair_cells();
+  void pair_tunnels();
+
+  const Filtration<D>& filtration_;
+  WantedPairs wanted_;
+  std::vector<bool> joins_;  // [edge]: two components
+  std::vector<bool> cuts_;   // [facet]: the outside of the complex in two
+  // [k]: (enters, number) of the birth, and the death.
+  std::array<RawVector<KeyedRow>, std::size_t{D}> pairs_;
+};
+
+// Of two components that an edge joins, the one whose first vertex comes later ends.
+template <int D>
+void Pairing<D>::pair_components() {
+  const Simplices vertices(filtration_, 0), edges(filtration_, 1);
+  if (vertices.count() == 0) return;
+  joins_.assign(edges.count(), false);
+  const auto ends = [&](std::uint32_t edge) {
+    return face_vertices<2>(filtration_, edges.id(edge));
+  };
+  struct Graph {
+    const Filtration<D>& filtration;
+    const Simplices& edges;
+    [[nodiscard]] std::uint32_t node_count() const {
+      return static_cast<std::uint32_t>(filtration.count(0));
+    }
+    [[nodiscard]] std::uint32_t edge_count() const { return edges.count(); }
+    [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> ends(std::uint32_t edge) const {
+      const auto vertices = face_vertices<2>(filtration, edges.id(edge));
+      return {vertices[0], vertices[1]};
+    }
+    [[nodiscard]] std::uint32_t weight(std::uint32_t edge) const { return edges.enters(edge); }
+    [[nodiscard]] std::uint32_t light_weight() const { return filtration.spectrum_size() / D; }
+  };
+  std::vector<std::uint64_t> joining;
+  if (edges.count() > 0) {
+    mark_spanning_forest(Graph{filtration_, edges}, [&](std::uint32_t edge) {
+      joins_[edge] = true;
+      joining.push_back(edges.key(edge));
+    });
+  }
+  std::sort(joining.begin(), joining.end());
+  // [vertex]: numbered by their keys, so that the smallest of a set is its first.
+  std::vector<std::uint64_t> keys(vertices.count());
+  for (std::uint32_t v = 0; v < keys.size(); ++v) keys[v] = vertices.key(v);
+  std::sort(keys.begin(), keys.end());
+  RawVector<std::uint32_t> rank(keys.size());
+  const auto vertex_at = [&](std::uint32_t of) { return static_cast<std::uint32_t>(keys[of]); };
+  for (std::uint32_t i = 0; i < keys.size(); ++i) rank[vertex_at(i)] = i;
+  UnionFind components(keys.size());
+  for (const std::uint64_t key : joining) {
+    const auto edge = static_cast<std::uint32_t>(key);
+    const auto [v, w] = ends(edge);
+    const std::uint32_t a = components.find(rank[v]), b = components.find(rank[w]);
+    add(0, vertices.id(vertex_at(std::max(a, b))), edges.id(edge));
+    (void)components.unite(a, b);
+  }
+  add(0, vertices.id(vertex_at(0)), SimplexId());
+}
+
+// Seen backwards, as cells are taken away, a facet between two components of what is missing joins
+// them, and the one whose last cell comes earlier ends: the void that this facet closes off and
+// that cell fills. The outside comes after all.
+template <int D>
+template <int A>
+void Pairing<D>::pair_cells() {
+  const auto cells = filtration_.triangulation().template cells<A>();
+  const SimplexTable<D>& table = filtration_.table();
+  const auto owners = table.facet_owners();
+  const Simplices facets(filtration_, A - 1), tops(filtration_, A);
+  const auto outside = static_cast<std::uint32_t>(cells.size());
+  cuts_.assign(facets.count(), false);
+  const auto beyond = [&](std::uint32_t cell, std::uint32_t corner) {
+    const std::uint32_t neighbour = cells[cell].neighbours[corner];
+    return neighbour == kOutside ? outside : neighbour / 4;
+  };
+  // The last facet of each cell, and the apparent pairs.
+  RawVector<std::uint32_t> last(outside), tree(outside + 1);
+  {
+    const auto later = [&](std::uint32_t facet, std::uint32_t than) {
+      return than == kNone || facets.key(facet) > facets.key(than);
+    };
+    std::fill(last.begin(), last.end(), kNone);
+    for (std::uint32_t facet = 0; facet < facets.count(); ++facet) {
+      const std::uint32_t cell = owners[facet] / 4, other = beyond(cell, owners[facet] % 4);
+      if (later(facet, last[cell])) last[cell] = facet;
+      if (other != outside && later(facet, last[other])) last[other] = facet;
+    }
+  }
+  std::vector<std::uint32_t> roots;
+  for (std::uint32_t cell = 0; cell < outside; ++cell) {
+    const std::uint32_t owner = owners[last[cell]] / 4;
+    const std::uint32_t other = owner == cell ? beyond(cell, owners[last[cell]] % 4) : owner;
+    const bool is_apparent = other == outside || tops.key(cell) < tops.key(other);
+    tree[cell] = is_apparent ? other : cell;
+    if (is_apparent) {
+      cuts_[last[cell]] = true;
+      add(A - 1, facets.id(last[cell]), tops.id(cell));
+    } else {
+      roots.push_back(cell);
+    }
+  }
+  tree[outside] = outside;
+  std::uint32_t tree_count = number_roots(tree);
+  // What is left is few: the facets that join trees, from the last on.
+  std::vector<std::uint64_t> joining;
+  const std::uint32_t facet_count = facets.count();
+  const auto joint = [&](std::uint32_t i) -> Joint {
+    const std::uint32_t facet = facet_count - 1 - i;
+    const std::uint32_t cell = owners[facet] / 4;
+    return {tree[cell], tree[beyond(cell, owners[facet] % 4)], ~facets.enters(facet), facet};
+  };
+  join(joints_of(facet_count, joint), tree_count, [&](std::uint32_t facet) {
+    cuts_[facet] = true;
+    joining.push_back(facets.key(facet));
+  });
+  std::sort(joining.begin(), joining.end(), std::greater<>());
+  // [tree]: numbered from the last root on; the outside is first.
+  std::vector<std::uint64_t> keys{std::numeric_limits<std::uint64_t>::max()};
+  for (const std::uint32_t root : roots) keys.push_back(tops.key(root));
+  std::sort(keys.begin(), keys.end(), std::greater<>());
+  RawVector<std::uint32_t> rank(keys.size());
+  rank[tree[outside]] = 0;
+  for (std::uint32_t i = 1; i < keys.size(); ++i) {
+    rank[tree[static_cast<std::uint32_t>(keys[i])]] = i;
+  }
+  UnionFind components(keys.size());
+  for (const std::uint64_t key : joining) {
+    const auto facet = static_cast<std::uint32_t>(key);
+    const std::uint32_t cell = owners[facet] / 4;
+    const std::uint32_t a = components.find(rank[tree[cell]]),
+                        b = components.find(rank[tree[beyond(cell, owners[facet] % 4)]]);
+    add(A - 1, facets.id(facet), tops.id(static_cast<std::uint32_t>(keys[std::max(a, b)])));
+    (void)components.unite(a, b);
+  }
+}
+
+// Triangles and their edges in space.
+class TriangleBoundaries {
+ public:
+  explicit TriangleBoundaries(const Filtration<3>& filtration)
+      : owners_(filtration.table().facet_owners()),
+        edges_of_cells_(filtration.triangulation().cell_count()) {
+    const auto cells = filtration.triangulation().cells<3>();
+    const auto edge_owners = filtration.table().edge_owners();
+    for (std::uint32_t edge = 0; edge < edge_owners.size(); ++edge) {
+      const std::uint32_t owner = edge_owners[edge];
+      for_each_around_edge(cells, owner / 6, owner % 6, [&](std::uint32_t cell, unsigned slot) {
+        edges_of_cells_[cell][slot] = edge;
+      });
+    }
+  }
+  [[nodiscard]] std::array<std::uint32_t, 3> edges(std::uint32_t triangle) const {
+    // The slots of a facet's edges, by the corner left out.
+    constexpr std::array<std::array<std::uint8_t, 3>, 4> kSlots{
+        {{3, 4, 5}, {1, 2, 5}, {0, 2, 4}, {0, 1, 3}}};
+    const std::uint32_t owner = owners_[triangle];
+    const auto& edges = edges_of_cells_[owner / 4];
+    const auto& slots = kSlots[owner % 4];
+    return {edges[slots[0]], edges[slots[1]], edges[slots[2]]};
+  }
+
+ private:
+  std::span<const std::uint32_t> owners_;
+  SimplexTable<3>::EdgesOfCells edges_of_cells_;
+};
+
+// A column of edges while it is reduced: a heap of keys, in which an edge that is there twice is
+// not there.
+class Column {
+ public:
+  void clear() { keys_.clear(); }
+  void add(std::uint64_t key) {
+    keys_.push_back(key);
+    std::push_heap(keys_.begin(), keys_.end());
+  }
+  // Takes the last edge out; false if there is none.
+  bool take_last(std::uint64_t& key) {
+    while (!keys_.empty()) {
+      key = take();
+      if (keys_.empty() || keys_.front() != key) return true;
+      (void)take();
+    }
+    return false;
+  }
+
+ private:
+  std::uint64_t take() {
+    std::pop_heap(keys_.begin(), keys_.end());
+    const std::uint64_t key = keys_.back();
+    keys_.pop_back();
+    return key;
+  }
+
+  std::vector<std::uint64_t> keys_;
+};
+
+// The triangles that cut fill nothing, and the edges that join close nothing: neither is needed.
+template <int D>
+void Pairing<D>::pair_tunnels() {
+  if constexpr (D == 3) {
+    const Simplices edges(filtration_, 1), triangles(filtration_, 2);
+    const TriangleBoundaries boundaries(filtration_);
+    // [edge]: its first triangle; then the triangle that fills its loop, or kStored and the number
+    // of a column.
+    constexpr std::uint32_t kStored = std::uint32_t{1} << 31U;
+    RawVector<std::uint32_t> filled_by(edges.count());
+    std::fill(filled_by.begin(), filled_by.end(), kNone);
+    for (std::uint32_t t = 0; t < triangles.count(); ++t) {
+      for (const std::uint32_t edge : boundaries.edges(t)) {
+        std::uint32_t& first = filled_by[edge];
+        if (first == kNone || triangles.enters(t) < triangles.enters(first)) first = t;
+      }
+    }
+    std::vector<std::uint64_t> others;
+    std::vector<bool> is_apparent(edges.count());
+    for (std::uint32_t t = 0; t < triangles.count(); ++t) {
+      if (cuts_[t]) continue;
+      const auto [a, b, c] = boundaries.edges(t);
+      const std::uint64_t key = std::max({edges.key(a), edges.key(b), edges.key(c)});
+      const auto last = static_cast<std::uint32_t>(key);
+      if (filled_by[last] == t) {
+        is_apparent[last] = true;
+        add(1, edges.id(last), triangles.id(t));
+      } else {
+        others.push_back(triangles.key(t));
+      }
+    }
+    for (std::uint32_t edge = 0; edge < edges.count(); ++edge) {
+      if (!is_apparent[edge]) filled_by[edge] = kNone;
+    }
+    std::sort(others.begin(), others.end());
+    std::vector<std::uint64_t> stored;  // all columns, without their last edges
+    std::vector<std::size_t> begins{0};
+    Column column;
+    for (const std::uint64_t key : others) {
+      const auto add_boundary = [&](std::uint32_t triangle, std::uint32_t without) {
+        for (const std::uint32_t edge : boundaries.edges(triangle)) {
+          if (edge != without && !joins_[edge]) column.add(edges.key(edge));
+        }
+      };
+      const auto triangle = static_cast<std::uint32_t>(key);
+      column.clear();
+      add_boundary(triangle, kNone);
+      std::uint64_t last = 0;
+      while (column.take_last(last)) {
+        const auto edge = static_cast<std::uint32_t>(last);
+        const std::uint32_t filling = filled_by[edge];
+        if (filling == kNone) break;
+        if (filling < kStored) {
+          add_boundary(filling, edge);
+        } else {
+          const std::size_t number = filling - kStored;
+          for (std::size_t i = begins[number]; i < begins[number + 1]; ++i) column.add(stored[i]);
+        }
+      }
+      const auto edge = static_cast<std::uint32_t>(last);
+      filled_by[edge] = kStored + static_cast<std::uint32_t>(begins.size() - 1);
+      add(1, edges.id(edge), triangles.id(triangle));
+      while (column.take_last(last)) stored.push_back(last);
+      begins.push_back(stored.size());
+    }
+  }
+}
+
+}  // namespace
+
+template <int D>
+PersistencePairs<D> persistence_pairs(const Filtration<D>& filtration, WantedPairs wanted,
+                                      Threads threads) {
+  return Pairing<D>(filtration, wanted).found(threads);
+}
+
+template PersistencePairs<2> persistence_pairs<2>(const Filtration<2>&, WantedPairs, Threads);
+template PersistencePairs<3> persistence_pairs<3>(const Filtration<3>&, WantedPairs, Threads);
+
+}  // namespace orthoball
