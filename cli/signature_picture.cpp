@@ -22,6 +22,22 @@ void require_svg(const std::string& option, const std::string& path) {
   throw UsageError(fmt::format("{} {}: a picture is SVG; the name must end in .svg", option, path));
 }
 
+void check_plot(const std::string& option, const std::string& path, const std::string& output,
+                const InputOptions& input) {
+  if (path.empty()) return;
+  if (is_same_output(path, output)) {
+    throw UsageError(option + " and -o name the same file; each needs one of its own");
+  }
+  require_other_file(input, path);
+  require_svg(option, path);
+}
+
+orthoball::PlotAxis plot_axis(const std::string& name) {
+  return name == "alpha2"  ? orthoball::PlotAxis::alpha2
+         : name == "index" ? orthoball::PlotAxis::index
+                           : orthoball::PlotAxis::alpha;
+}
+
 orthoball::PlotOptions plot_options(const InputOptions& options, const Loaded& input) {
   const orthoball::WeightedPoints& points = input.shapes.points();
   orthoball::PlotOptions plot;

@@ -12,9 +12,17 @@
 [[nodiscard]] std::string name_of(const InputOptions& options);
 
 /// Before any work: a picture is SVG; a name with another ending is a mistake.
-/// @param option  what names the file: "--plot".
+/// @param option  what names the file: "-o".
 /// @throws UsageError
 void require_svg(const std::string& option, const std::string& path);
+
+/// The same of a picture beside other output, which needs a place of its own; empty for none.
+/// @throws UsageError
+void check_plot(const std::string& option, const std::string& path, const std::string& output,
+                const InputOptions& input);
+
+/// What is called alpha, alpha2 or index.
+[[nodiscard]] orthoball::PlotAxis plot_axis(const std::string& name);
 
 /// Title and unit of a plot of this input; axis and range are left as they are.
 [[nodiscard]] orthoball::PlotOptions plot_options(const InputOptions& options, const Loaded& input);

@@ -61,13 +61,9 @@ ChosenAlpha chosen_alpha(const FigureOptions& options, const Loaded& input) {
 
 void run(const FigureOptions& options) {
   const auto panels = panels_of(options.panels);
-  for (const std::string& output : {options.output, options.plot}) {
-    require_other_file(options.input, output);
-    require_svg(output == options.plot ? "--plot" : "-o", output);
-  }
-  if (!options.plot.empty() && is_same_output(options.plot, options.output)) {
-    throw UsageError("--plot and -o name the same file; figure and plot need one each");
-  }
+  require_other_file(options.input, options.output);
+  require_svg("-o", options.output);
+  check_plot("--plot", options.plot, options.output, options.input);
   check(options.alpha, false);
   Progress progress(options.input.progress, options.input.quiet,
                     {Stage::reading, Stage::triangulation, Stage::filtration, Stage::signatures});

@@ -105,9 +105,7 @@ std::optional<std::pair<double, double>> range_from_text(const std::string& text
 
 orthoball::PlotOptions plot_of(const SignaturesOptions& options, const Loaded& input) {
   orthoball::PlotOptions plot = plot_options(options.input, input);
-  plot.axis = options.plot_axis == "alpha2"  ? orthoball::PlotAxis::alpha2
-              : options.plot_axis == "index" ? orthoball::PlotAxis::index
-                                             : orthoball::PlotAxis::alpha;
+  plot.axis = plot_axis(options.plot_axis);
   plot.range = range_from_text(options.plot_range);
   return plot;
 }
@@ -173,15 +171,6 @@ void write_balls_table(const SignaturesOptions& options, const Loaded& input,
   warn_of_missing(options.input, missing, format == "json" ? "null" : "an empty field");
 }
 
-void check_plot(const SignaturesOptions& options) {
-  if (options.plot.empty()) return;
-  if (is_same_output(options.plot, options.output)) {
-    throw UsageError("--plot and -o name the same file; table and plot need one each");
-  }
-  require_other_file(options.input, options.plot);
-  require_svg("--plot", options.plot);
-}
-
 void run(const SignaturesOptions& options) {
   if (options.samples && options.alpha.is_given()) {
     throw UsageError(
@@ -191,7 +180,7 @@ void run(const SignaturesOptions& options) {
   if (options.balls && !options.plot.empty()) {
     throw UsageError("--balls excludes --plot, which draws the signatures of the alpha shapes");
   }
-  check_plot(options);
+  check_plot("--plot", options.plot, options.output, options.input);
   require_other_file(options.input, options.output);
   check(options.alpha, true);
   (void)range_from_text(options.plot_range);

@@ -132,6 +132,8 @@ constexpr Sizes kPlane{115, 20, 45, 60, 24};
 constexpr Sizes kSpace{320, 67, 140, 90, 32};
 constexpr std::uint64_t kSimplex = 32;           // bytes of the filtration
 constexpr std::uint64_t kSimplexFilter = 10;     // more while a filter is made
+constexpr std::uint64_t kSimplexPairs = 15;      // more while lasting pairs are found
+constexpr std::uint64_t kSimplexAllPairs = 20;   // or all of them
 constexpr std::uint64_t kSimplexSignature = 13;  // more while signatures are scanned
 
 const Sizes& sizes(int dimension) { return dimension == 2 ? kPlane : kSpace; }
@@ -192,6 +194,10 @@ std::uint64_t filtration_memory(int dimension, std::size_t sites, std::size_t ce
 }
 
 std::uint64_t filter_memory(std::size_t simplices) { return kSimplexFilter * simplices; }
+
+std::uint64_t persistence_memory(std::size_t simplices, bool all) {
+  return (all ? kSimplexAllPairs : kSimplexPairs) * simplices;
+}
 
 std::uint64_t signature_memory(std::size_t simplices) { return kSimplexSignature * simplices; }
 

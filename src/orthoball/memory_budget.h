@@ -49,6 +49,8 @@ class MemoryBudget {
 [[nodiscard]] std::uint64_t filtration_memory(int dimension, std::size_t sites, std::size_t cells);
 /// Of a Filter, beyond the filtration.
 [[nodiscard]] std::uint64_t filter_memory(std::size_t simplices);
+/// Of persistence pairs, beyond the filtration: those that last, or all.
+[[nodiscard]] std::uint64_t persistence_memory(std::size_t simplices, bool all);
 /// Of a scan of the signatures, beyond the filtration.
 [[nodiscard]] std::uint64_t signature_memory(std::size_t simplices);
 

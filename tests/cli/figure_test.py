@@ -71,7 +71,7 @@ class Figure(InAFolder):
             ([disks, *PLANE, "--panels", "disks,edges"], 'there is no panel "edges"'),
             ([disks, *PLANE, "-o", "figure.png"], "a picture is SVG"),
             ([disks, *PLANE, "-o", self.folder / "a.svg", "--plot", self.folder / "a.svg"],
-             "name the same file"),
+             "--plot and -o name the same file"),
             ([disks, *PLANE, "--alpha2", "0,1"], "takes one alpha"),
             ([disks, *PLANE, "--width", "0"], "--width"),
         ]:
