@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <utility>
+#include <vector>
 
 #include "cli/alpha_number.h"
 #include "cli/report.h"
@@ -13,6 +14,7 @@
 #include "orthoball/error.h"
 #include "orthoball/input/decimal.h"
 #include "orthoball/output/alpha_text.h"
+#include "orthoball/output/row_names.h"
 
 void add_balls_options(CLI::App& command, BallsOptions& options) {
   command
@@ -84,6 +86,29 @@ nlohmann::ordered_json balls_json(const Loaded& input, const ChosenBalls& balls,
   json["alpha"] = has_alpha ? finite(at.alpha, missing) : Json();
   json["index"] = at.index;
   json["probe"] = balls.probe.nearest;
+  return json;
+}
+
+void add_lining(nlohmann::ordered_json& json, std::span<const orthoball::LiningBall> lining,
+                const Loaded& input, std::size_t& missing) {
+  using Json = nlohmann::ordered_json;
+  std::vector<orthoball::SiteId> rows;
+  Json atoms = Json::array(), areas = Json::array();
+  for (const orthoball::LiningBall& ball : lining) {
+    rows.push_back(ball.row);
+    atoms.push_back(ball.row.row());
+    areas.push_back(finite(ball.area, missing));
+  }
+  json["atoms"] = std::move(atoms);
+  json["atom_names"] = names_json(rows, input);
+  json["atom_areas"] = std::move(areas);
+}
+
+nlohmann::ordered_json names_json(std::span<const orthoball::SiteId> rows, const Loaded& input) {
+  const orthoball::RowNames names(input.reading.labels);
+  if (!names.has_any()) return nullptr;
+  auto json = nlohmann::ordered_json::array();
+  for (const orthoball::SiteId row : rows) json.push_back(names.path(row.row()));
   return json;
 }
 

@@ -4,11 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 
 #include "cli/alpha_options.h"
 #include "cli/input_options.h"
 #include "orthoball/points/probe.h"
+#include "orthoball/queries/free_space.h"
 
 // What commands about unions of balls share: which balls, grown by which probe, at which alpha.
 
@@ -48,6 +50,15 @@ void add_balls_options(CLI::App& command, BallsOptions& options);
 /// @param missing  counts numbers beyond the double range, which are null.
 [[nodiscard]] nlohmann::ordered_json balls_json(const Loaded& input, const ChosenBalls& balls,
                                                 std::size_t& missing);
+
+/// Adds the keys `atoms` (rows), `atom_names` and `atom_areas` of the balls around a void or
+/// pocket.
+void add_lining(nlohmann::ordered_json& json, std::span<const orthoball::LiningBall> lining,
+                const Loaded& input, std::size_t& missing);
+
+/// The names of rows, such as "A/ALA 12/CB"; null where the input has none.
+[[nodiscard]] nlohmann::ordered_json names_json(std::span<const orthoball::SiteId> rows,
+                                                const Loaded& input);
 
 /// Warns if there are points but not one ball with an inside.
 void warn_without_balls(const InputOptions& options, const Loaded& input, double alpha2);

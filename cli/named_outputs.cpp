@@ -19,7 +19,7 @@ struct Kind {
 Kind kind_of(OutputKind kind) {
   switch (kind) {
     case OutputKind::table:
-      return {"the table is CSV", {"csv"}, false};
+      return {"the table is CSV or JSON", {"csv", "json"}, false};
     case OutputKind::atoms:
       return {"the atoms are PDB", {"pdb", "ent"}, false};
     case OutputKind::mesh:
@@ -59,4 +59,13 @@ void check_outputs(const InputOptions& input, const std::string& report,
     check_ending(output);
     seen.push_back(output);
   }
+}
+
+void write_table(const std::string& path, MissingNumbers& missing,
+                 const std::function<void(orthoball::ByteSink&, orthoball::TableFormat)>& write) {
+  using orthoball::TableFormat;
+  const auto format = ending_of(path) == "json" ? TableFormat::json : TableFormat::csv;
+  const bool is_json = format == TableFormat::json;
+  (is_json ? missing.nulls : missing.empty_fields) += write_output(
+      path, is_json ? "null" : "", [&](orthoball::ByteSink& sink) { write(sink, format); });
 }

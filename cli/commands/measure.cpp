@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <variant>
@@ -12,22 +10,21 @@
 #include "cli/balls.h"
 #include "cli/commands.h"
 #include "cli/input_options.h"
+#include "cli/measure_report.h"
 #include "cli/named_outputs.h"
 #include "cli/output_file.h"
 #include "cli/region_files.h"
-#include "cli/report.h"
 #include "cli/usage_error.h"
 #include "orthoball/counted.h"
 #include "orthoball/measures/union_of_balls.h"
 #include "orthoball/output/ball_tables.h"
 #include "orthoball/output/molecule.h"
-#include "orthoball/output/void_table.h"
+#include "orthoball/output/region_tables.h"
+#include "orthoball/output/row_names.h"
 #include "orthoball/queries/voids.h"
 #include "orthoball/topology/betti.h"
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct MeasureOptions {
   BallsOptions balls;
@@ -59,175 +56,34 @@ std::vector<NamedOutput> outputs(const MeasureOptions& options) {
           {"--script", options.script, OutputKind::script}};
 }
 
-// What happened to the rows: each is counted once.
-struct BallCounts {
-  std::size_t exposed = 0;     // have a part of the surface
-  std::size_t buried = 0;      // have none: other balls cover it
-  std::size_t hidden = 0;      // have no power cell
-  std::size_t duplicates = 0;  // of an earlier row
-  std::size_t empty = 0;       // have no radius above 0
-};
-
-template <int D>
-BallCounts ball_counts(const Loaded& input, const orthoball::Filtration<D>& filtration,
-                       const orthoball::UnionOfBalls& balls) {
-  const auto& triangulation = filtration.triangulation();
-  BallCounts counts;
-  std::vector<bool> has_cell(balls.areas.size(), true);
-  for (const orthoball::SiteId row : triangulation.hidden()) has_cell[row.row()] = false;
-  for (const orthoball::Duplicate& d : triangulation.duplicates()) has_cell[d.row.row()] = false;
-  counts.duplicates = triangulation.duplicates().size();
-  counts.hidden = triangulation.hidden().size();
-  for (std::size_t row = 0; row < has_cell.size(); ++row) {
-    const bool has_inside =
-        orthoball::ball_radius(input.shapes.points(), row, balls.alpha2).value_or(0.0) > 0.0;
-    if (!has_cell[row]) continue;
-    ++(balls.areas[row] > 0.0 ? counts.exposed : has_inside ? counts.buried : counts.empty);
-  }
-  return counts;
-}
-
-// What both forms of the report say.
-template <int D>
-struct Measured {
-  ChosenBalls chosen;
-  orthoball::UnionOfBalls balls;
-  orthoball::BettiNumbers<D> betti;
-  std::vector<orthoball::Void<D>> voids;
-  BallCounts counts;
-};
-
-template <int D>
-Json json_of(const orthoball::Void<D>& hole, std::size_t& missing) {
-  const auto number = [&](double x) { return finite(x, missing); };
-  Json atoms = Json::array(), atom_areas = Json::array(), centre = Json::array();
-  for (const orthoball::LiningBall& ball : hole.lining) {
-    atoms.push_back(ball.row.row());
-    atom_areas.push_back(number(ball.area));
-  }
-  for (const double x : hole.largest_ball_centre) centre.push_back(number(x));
-  Json json;
-  json["volume"] = number(hole.volume);
-  json["area"] = number(hole.area);
-  json["atoms"] = std::move(atoms);
-  json["atom_areas"] = std::move(atom_areas);
-  json["born"] = number(hole.born_alpha2);
-  json["dies"] = number(hole.dies_alpha2);
-  json["largest_ball"] = nullptr;
-  if (hole.largest_ball_radius > 0.0) {
-    json["largest_ball"] = {{"centre", std::move(centre)},
-                            {"radius", number(hole.largest_ball_radius)}};
-  }
-  return json;
-}
-
-template <int D>
-Json json_report(const Loaded& input, const Measured<D>& measured, std::size_t& missing) {
-  const auto number = [&](double x) { return finite(x, missing); };
-  const orthoball::UnionOfBalls& balls = measured.balls;
-  const BallCounts& counts = measured.counts;
-  Json json = balls_json(input, measured.chosen, missing);
-  json["volume"] = number(balls.volume);
-  json["area"] = number(balls.area);
-  json["mean_curvature"] = D == 3 ? number(balls.mean_curvature) : Json();
-  json["euler"] = balls.euler;
-  json["betti"] = measured.betti;
-  json["balls"] = {{"exposed", counts.exposed},
-                   {"buried", counts.buried},
-                   {"hidden", counts.hidden},
-                   {"duplicates", counts.duplicates},
-                   {"empty", counts.empty}};
-  json["void_count"] = measured.voids.size();
-  json["voids"] = Json::array();
-  for (const orthoball::Void<D>& hole : measured.voids) {
-    json["voids"].push_back(json_of(hole, missing));
-  }
-  return json;
-}
-
-// "486 exposed, 12 buried": those that there are, exposed ones always.
-std::string counts_text(const BallCounts& counts) {
-  std::vector<std::string> words{fmt::format("{} exposed", counts.exposed)};
-  const auto add = [&](std::size_t count, const std::string& what) {
-    if (count > 0) words.push_back(fmt::format("{} {}", count, what));
-  };
-  add(counts.buried, "buried by others");
-  add(counts.hidden, "hidden inside others");
-  add(counts.duplicates, orthoball::noun_of(counts.duplicates, "duplicate"));
-  add(counts.empty, "empty");
-  return joined(words);
-}
-
-// The first of the voids, a line each.
-template <int D>
-std::string voids_text(const std::vector<orthoball::Void<D>>& voids, const std::string& unit) {
-  if (voids.empty()) return {};
-  constexpr std::size_t kShown = 7;
-  const auto head = [&](const std::string& what, const char* power) {
-    return unit.empty() ? what : fmt::format("{} [{}{}]", what, unit, power);
-  };
-  const auto row = [](const auto& first, const std::string& volume, const std::string& area,
-                      const auto& balls, const std::string& radius) {
-    return fmt::format("{:<7}{:>22} {:>22} {:>6} {:>26}\n", first, volume, area, balls, radius);
-  };
-  std::string text = "\n" + (D == 3 ? row("voids", head("volume", "³"), head("area", "²"), "balls",
-                                          head("largest ball inside", ""))
-                                    : row("holes", head("area", "²"), head("perimeter", ""),
-                                          "disks", head("largest disk inside", "")));
-  for (std::size_t i = 0; i < std::min(voids.size(), kShown); ++i) {
-    const orthoball::Void<D>& hole = voids[i];
-    text += row(fmt::format("  {}", i + 1), number_text(hole.volume), number_text(hole.area),
-                hole.lining.size(), number_text(hole.largest_ball_radius));
-  }
-  if (voids.size() > kShown) {
-    text += fmt::format("  and {} smaller; --voids FILE lists all\n", voids.size() - kShown);
-  }
-  return text;
-}
-
-template <int D>
-std::string text_report(const Loaded& input, const Measured<D>& measured) {
-  const auto unit = [&](const char* power) {
-    return input.reading.is_molecule ? " Å" + std::string(power) : std::string();
-  };
-  const orthoball::UnionOfBalls& balls = measured.balls;
-  std::string text = balls_text(input, measured.chosen);
-  text += report_line(input.reading.is_molecule ? "atoms"
-                      : D == 3                  ? "balls"
-                                                : "disks",
-                      counts_text(measured.counts));
-  text +=
-      report_line(D == 3 ? "volume" : "area", number_text(balls.volume) + unit(D == 3 ? "³" : "²"));
-  text +=
-      report_line(D == 3 ? "area" : "perimeter", number_text(balls.area) + unit(D == 3 ? "²" : ""));
-  if (D == 3) text += report_line("mean curvature", number_text(balls.mean_curvature) + unit(""));
-  text += report_line("euler", fmt::format("{}", balls.euler));
-  text += report_line("betti", betti_text(measured.betti));
-  return text + voids_text(measured.voids, input.unit());
-}
-
+// Those that were asked for, in the order of the options.
 template <int D>
 void write_tables(const MeasureOptions& options, const Loaded& input, const Measured<D>& measured,
-                  std::size_t& missing) {
+                  MissingNumbers& missing) {
+  using orthoball::ByteSink;
+  using orthoball::TableFormat;
   const auto write = [&](const std::string& path, const auto& table) {
-    if (!path.empty()) missing += write_output(path, "", table);
+    if (!path.empty()) write_table(path, missing, table);
   };
   const orthoball::UnionOfBalls& balls = measured.balls;
   const orthoball::SiteLabels& labels = input.reading.labels;
-  write(options.per_atom, [&](orthoball::ByteSink& sink) {
-    write_balls_csv(sink, balls, input.shapes.points(), labels);
+  write(options.per_atom, [&](ByteSink& sink, TableFormat format) {
+    write_balls(sink, format, balls, input.shapes.points(), labels);
   });
   write(options.per_residue,
-        [&](orthoball::ByteSink& sink) { write_residues_csv(sink, balls, labels); });
-  write(options.contacts,
-        [&](orthoball::ByteSink& sink) { write_contacts_csv(sink, balls.contacts); });
-  write(options.residue_contacts, [&](orthoball::ByteSink& sink) {
-    write_residue_contacts_csv(sink, balls.contacts, balls.areas.size(), labels);
+        [&](ByteSink& sink, TableFormat format) { write_residues(sink, format, balls, labels); });
+  write(options.contacts, [&](ByteSink& sink, TableFormat format) {
+    write_contacts(sink, format, balls.contacts, labels);
   });
-  write(options.voids,
-        [&](orthoball::ByteSink& sink) { orthoball::write_voids_csv<D>(sink, measured.voids); });
-  write(options.derivatives,
-        [&](orthoball::ByteSink& sink) { write_derivatives_csv(sink, balls, D); });
+  write(options.residue_contacts, [&](ByteSink& sink, TableFormat format) {
+    write_residue_contacts(sink, format, balls.contacts, balls.areas.size(), labels);
+  });
+  write(options.voids, [&](ByteSink& sink, TableFormat format) {
+    orthoball::write_voids<D>(sink, format, measured.voids, labels);
+  });
+  write(options.derivatives, [&](ByteSink& sink, TableFormat format) {
+    write_derivatives(sink, format, balls, D, labels);
+  });
 }
 
 // The atoms with their areas, and the files that show the voids.
@@ -262,10 +118,9 @@ void write_pictures(const MeasureOptions& options, const Loaded& input,
 }
 
 void check_residues(const MeasureOptions& options, const orthoball::Reading& reading) {
-  const orthoball::SiteLabels& labels = reading.labels;
   const bool is_wanted = !options.per_residue.empty() || !options.residue_contacts.empty();
   if (!is_wanted || reading.points.size() == 0) return;
-  if (!labels.residue.empty() || !labels.residue_id.empty() || !labels.chain.empty()) return;
+  if (orthoball::RowNames(reading.labels).has_residues()) return;
   throw UsageError((options.per_residue.empty() ? "--residue-contacts: " : "--per-residue: ") +
                    reading.file +
                    " names no residues; --per-atom and --contacts have lines for rows");
@@ -306,16 +161,15 @@ void run(const MeasureOptions& options) {
   if (!options.pdb.empty()) require_pdb_points(reading.points);
   const Loaded input = build_shapes(reads, progress, with_probe(std::move(reading), probe));
   progress.begin(Stage::measuring);
-  std::size_t missing = 0, missing_in_tables = 0;
+  MissingNumbers missing;
   std::visit(
       [&]<int D>(const orthoball::Filtration<D>& filtration) {
         const Measured<D> measured = measure(options, input, probe, filtration);
         say_how(reads, {measured.chosen.at});
-        write_tables(options, input, measured, missing_in_tables);
+        write_tables(options, input, measured, missing);
         write_pictures(options, input, filtration, measured);
-        const std::string report = is_json(options)
-                                       ? json_report_text(json_report(input, measured, missing))
-                                       : text_report(input, measured);
+        const std::string report = is_json(options) ? json_report(input, measured, missing.nulls)
+                                                    : text_report(input, measured);
         progress.end();
         write_output(options.output, "", [&](orthoball::ByteSink& sink) {
           sink.text(report);
@@ -324,8 +178,8 @@ void run(const MeasureOptions& options) {
         warn_without_balls(reads, input, measured.balls.alpha2);
       },
       input.shapes.filtration());
-  warn_of_missing(reads, missing, "null");
-  warn_of_missing(reads, missing_in_tables, "an empty field");
+  warn_of_missing(reads, missing.nulls, "null");
+  warn_of_missing(reads, missing.empty_fields, "an empty field");
 }
 
 void add_output_options(CLI::App& command, MeasureOptions& options) {
@@ -346,13 +200,12 @@ void add_output_options(CLI::App& command, MeasureOptions& options) {
   const auto file = [&](const std::string& name, std::string& path, const std::string& what) {
     command.add_option(name, path, what)->type_name("FILE")->group(group);
   };
-  file("--per-atom", options.per_atom, "area and volume of every ball's part, as CSV");
-  file("--per-residue", options.per_residue, "the same summed by residue, as CSV");
-  file("--contacts", options.contacts, "pairs of balls with the area of their contact, as CSV");
-  file("--residue-contacts", options.residue_contacts, "the same summed by residues, as CSV");
-  file("--voids", options.voids, "voids with the balls around them, as CSV");
-  file("--derivatives", options.derivatives,
-       "of area and volume by every radius and centre, as CSV");
+  file("--per-atom", options.per_atom, "area and volume of every ball's part");
+  file("--per-residue", options.per_residue, "the same summed by residue");
+  file("--contacts", options.contacts, "pairs of balls with the area of their contact");
+  file("--residue-contacts", options.residue_contacts, "the same summed by residues");
+  file("--voids", options.voids, "voids with the balls around them");
+  file("--derivatives", options.derivatives, "of area and volume by every radius and centre");
   file("--pdb", options.pdb, "the atoms with their areas as B-factors, as PDB");
   file("--mesh", options.mesh, "the boundaries of all voids, as PLY");
   file("--script", options.script,
@@ -374,14 +227,20 @@ void add_measure_command(CLI::App& app) {
       "the plane volume is the area of the union, area its perimeter, and mean_curvature is null.\n"
       "A ball's part is what its power cell holds of the union; parts add up to the whole. Balls\n"
       "with no part of the surface are buried, those with no power cell hidden.\n\n"
+      "Tables are JSON where FILE ends in .json, else CSV, with the columns below as keys. row,\n"
+      "chain, residue and atom say who a ball is; points and files without names have rows alone.\n"
       "--per-atom: row, chain, residue, atom, element, radius [length] as measured, area\n"
       "[length^2], volume [length^3]. --per-residue: chain, residue, atoms, area, volume.\n"
-      "--contacts: row_1, row_2, area of the common facet of their power cells inside the union,\n"
-      "exposed [length], how much of the circle in which they meet is on the surface.\n"
-      "--residue-contacts: chain_1, residue_1, chain_2, residue_2, pairs (of atoms), area.\n"
-      "--voids: void, volume, area, atoms (the rows of the balls around it), atom_areas (in it),\n"
-      "born, dies [alpha2], between which it lives, x, y, z, radius of the largest ball inside.\n"
-      "--derivatives: row, area_by_radius, volume_by_radius, volume_by_x.., area_by_x...\n"
+      "--contacts: row_1, chain_1, residue_1, atom_1, row_2, ..., area of the common facet of "
+      "their\n"
+      "power cells inside the union, exposed [length], how much of the circle in which they meet "
+      "is\n"
+      "on the surface. --residue-contacts: chain_1, residue_1, chain_2, residue_2, pairs (of\n"
+      "atoms), area. --voids: void, volume, area, of the balls around it atoms (rows), atom_names\n"
+      "(CHAIN/RESIDUE/ATOM) and atom_areas (in it), born, dies [alpha2], between which it lives, "
+      "x,\n"
+      "y, z, radius of the largest ball inside. --derivatives: row, chain, residue, atom,\n"
+      "area_by_radius, volume_by_radius, volume_by_x.., area_by_x...\n"
       "--pdb: a row an ATOM record, in the order of the input; rows without names are X of UNK 1.\n"
       "--mesh: triangles that bound the cells of every void, in the plane edges, with the "
       "property\n"

@@ -19,7 +19,7 @@
 #include "cli/region_files.h"
 #include "cli/report.h"
 #include "orthoball/counted.h"
-#include "orthoball/output/pocket_table.h"
+#include "orthoball/output/region_tables.h"
 
 namespace {
 
@@ -50,25 +50,22 @@ std::array<std::size_t, 3> counts_of(const Pockets& pockets) {
   return counts;
 }
 
-Json json_of(const orthoball::Pocket& pocket, std::size_t& missing) {
+Json json_of(const Loaded& input, const orthoball::Pocket& pocket, std::size_t& missing) {
   const auto number = [&](double x) { return finite(x, missing); };
-  Json atoms = Json::array(), atom_areas = Json::array(), mouths = Json::array();
-  for (const orthoball::LiningBall& ball : pocket.lining) {
-    atoms.push_back(ball.row.row());
-    atom_areas.push_back(number(ball.area));
-  }
+  Json mouths = Json::array();
   for (const orthoball::Mouth& mouth : pocket.mouths) {
     Json rim = Json::array();
     for (const orthoball::SiteId row : mouth.rim) rim.push_back(row.row());
-    mouths.push_back({{"area", number(mouth.area)}, {"rim", std::move(rim)}});
+    mouths.push_back({{"area", number(mouth.area)},
+                      {"rim", std::move(rim)},
+                      {"rim_names", names_json(mouth.rim, input)}});
   }
   Json json;
   json["kind"] = pocket_kind(pocket);
   json["volume"] = number(pocket.volume);
   json["area"] = number(pocket.area);
   json["depth"] = pocket.depth ? number(*pocket.depth) : Json();
-  json["atoms"] = std::move(atoms);
-  json["atom_areas"] = std::move(atom_areas);
+  add_lining(json, pocket.lining, input, missing);
   json["mouths"] = std::move(mouths);
   return json;
 }
@@ -82,7 +79,7 @@ std::string json_report(const Loaded& input, const ChosenBalls& balls, const Poc
   }
   json["pockets"] = Json::array();
   for (const orthoball::Pocket& pocket : pockets)
-    json["pockets"].push_back(json_of(pocket, missing));
+    json["pockets"].push_back(json_of(input, pocket, missing));
   return json_report_text(json);
 }
 
@@ -176,7 +173,9 @@ void run(const PocketsOptions& options) {
         }
         progress.end();
         missing += write_output(options.output, "", [&](orthoball::ByteSink& sink) {
-          if (format == "csv") return write_pockets_csv(sink, pockets);
+          if (format == "csv") {
+            return write_pockets(sink, orthoball::TableFormat::csv, pockets, input.reading.labels);
+          }
           sink.text(format == "json" ? json_report(input, balls, pockets, missing)
                                      : text_report(input, balls, pockets));
           sink.flush();
@@ -230,9 +229,12 @@ void add_pockets_command(CLI::App& app) {
       "through a mouth, usually below 3 %. In the plane volume is the area, area the perimeter,\n"
       "and a mouth's area its width. depth [length^2]: by how much alpha2 grows from the closing\n"
       "of the mouths to the filling of the pocket; none for voids.\n\n"
-      "csv: pocket, kind, volume, area, depth, atoms (the rows of the balls around it), mouths\n"
-      "(their number), mouth_areas. json: also the area of every ball in it, and the rim of every\n"
-      "mouth (rows). Largest volume first. --alpha2 auto is explained in shape --help.\n"
+      "csv: pocket, kind, volume, area, depth, of the balls around it atoms (rows), atom_names\n"
+      "(CHAIN/RESIDUE/ATOM) and atom_areas (in it), mouths (their number), mouth_areas. json: "
+      "also\n"
+      "the rim of every mouth (rows and names). Largest volume first. --alpha2 auto is explained "
+      "in\n"
+      "shape --help.\n"
       "--mesh: triangles that bound the cells of every pocket, in the plane edges, with the\n"
       "properties pocket (from 1) and mouth (1 where it is open). --script: opens INPUT and shows\n"
       "the space of every pocket as spheres, and the atoms around as a selection pocket_N_atoms.\n"

@@ -296,6 +296,63 @@ class Tables(Measure):
         self.assertEqual((rows[0]["radius"], rows[0]["volume"]), ("1e+200", ""))
 
 
+    def test_numbers_beyond_the_double_range_are_null_in_json(self):
+        path, table = self.balls("0 0 0 1e200\n3e200 0 0 1\n"), self.folder / "table.json"
+        said = self.done("measure", path, "--per-atom", table).stderr
+        self.assertIn("shown as null", said)
+        self.assertNotIn("an empty field", said)
+        self.assertIsNone(json.loads(table.read_text())[0]["volume"])
+
+    def test_a_table_in_json_is_that_in_csv(self):
+        def values(cell, other):
+            if isinstance(other, list):
+                separator = ";" if other and isinstance(other[0], str) else None
+                return [values(*pair) for pair in
+                        zip(cell.split(separator), other, strict=True)]
+            return None if cell == "" else type(other)(cell)
+
+        for arguments in [[DNA, "--alpha2", "3"], [C60], [EIGHT, "--probe", "0.08"]]:
+            for option in TABLES:
+                if "residue" in option and arguments[0] != DNA:
+                    continue
+                rows = self.table(option, *arguments)
+                path = self.folder / "table.JSON"
+                self.done("measure", *arguments, option, path)
+                found = json.loads(path.read_text())
+                self.assertGreater(len(found), 0, option)
+                for row, one in zip(rows, found, strict=True):
+                    self.assertEqual(list(row), list(one))
+                    self.assertEqual({key: values(row[key], one[key]) for key in row}, one)
+
+    def test_every_row_is_named(self):
+        atoms = {row["row"]: (row["chain"], row["residue"], row["atom"])
+                 for row in self.table("--per-atom", DNA)}
+        self.assertEqual(len(set(atoms.values())), len(atoms))
+        for row in self.table("--contacts", DNA):
+            for i in "12":
+                self.assertEqual((row[f"chain_{i}"], row[f"residue_{i}"], row[f"atom_{i}"]),
+                                 atoms[row[f"row_{i}"]])
+        for row in self.table("--derivatives", DNA):
+            self.assertEqual((row["chain"], row["residue"], row["atom"]), atoms[row["row"]])
+        voids = self.table("--voids", DNA, "--alpha2", "3")
+        self.assertGreater(len(voids), 0)
+        report = self.measure(DNA, "--alpha2", "3")["voids"]
+        for row, void in zip(voids, report, strict=True):
+            names = ["/".join(atoms[atom]) for atom in row["atoms"].split()]
+            self.assertEqual(row["atom_names"].split(";"), names)
+            self.assertEqual(void["atom_names"], names)
+
+    def test_plain_points_have_no_names(self):
+        (contact,) = self.table("--contacts", self.balls("0 0 0 1\n1 0 0 1\n"))
+        self.assertEqual([contact[f"{key}_{i}"] for key in ["chain", "residue", "atom"]
+                          for i in "12"], [""] * 6)
+        for sample, options in [(EIGHT, ["--probe", "0.08"]), (C60, [])]:
+            for row in self.table("--voids", sample, *options):
+                self.assertEqual(row["atom_names"], "")
+            for void in self.measure(sample, *options)["voids"]:
+                self.assertIsNone(void["atom_names"])
+
+
 class Pictures(Measure):
     def test_a_pdb_has_the_atoms_with_their_areas(self):
         path = self.folder / "a.pdb"
@@ -378,11 +435,10 @@ class Outputs(Measure):
         result = self.done("measure", C60, "--per-atom", "-", "-o", self.folder / "report.txt")
         self.assertTrue(result.stdout.startswith("row,chain,"))
 
-    def test_a_table_is_csv(self):
+    def test_a_table_is_csv_or_json(self):
         for option in TABLES:
-            for name in ["table.json", "table.pdb"]:
-                self.assertIn("must end in .csv",
-                              self.refused(2, "measure", DNA, option, self.folder / name))
+            self.assertIn("must end in .csv or .json",
+                          self.refused(2, "measure", DNA, option, self.folder / "table.pdb"))
         self.done("measure", DNA, "--per-residue", self.folder / "table")
         self.done("measure", DNA, "--per-residue", os.devnull)
 

@@ -75,7 +75,7 @@ class Numbers(Pockets):
         self.assertGreater(report["channel_count"], 0)
         for pocket in report["pockets"]:
             self.assertEqual(list(pocket), ["kind", "volume", "area", "depth", "atoms",
-                                            "atom_areas", "mouths"])
+                                            "atom_names", "atom_areas", "mouths"])
             areas = [mouth["area"] for mouth in pocket["mouths"]]
             self.assertEqual(areas, sorted(areas, reverse=True))
             self.assertGreater(pocket["depth"], 0)
@@ -126,9 +126,24 @@ class Reports(Pockets):
             for key in ["volume", "area", "depth"]:
                 self.assertEqual(float(row[key]), pocket[key])
             self.assertEqual(list(map(int, row["atoms"].split())), pocket["atoms"])
+            self.assertEqual(row["atom_names"].split(";"), pocket["atom_names"])
+            self.assertEqual(list(map(float, row["atom_areas"].split())), pocket["atom_areas"])
             self.assertEqual(int(row["mouths"]), len(pocket["mouths"]))
             self.assertEqual(list(map(float, row["mouth_areas"].split())),
                              [mouth["area"] for mouth in pocket["mouths"]])
+
+    def test_atoms_and_rims_are_named(self):
+        names = {}
+        for line in pathlib.Path(DNA).read_text().splitlines():
+            if line[:6] in ("ATOM  ", "HETATM") and line[17:20] != "HOH":
+                names[len(names)] = "/".join([line[21].strip(), line[17:20].strip() + " " +
+                                              line[22:27].strip(), line[12:16].strip()])
+        for pocket in self.pockets(DNA)["pockets"]:
+            self.assertEqual(pocket["atom_names"], [names[row] for row in pocket["atoms"]])
+            for mouth in pocket["mouths"]:
+                self.assertEqual(mouth["rim_names"], [names[row] for row in mouth["rim"]])
+        (pocket,) = self.of_ring((0, 1))["pockets"]
+        self.assertEqual((pocket["atom_names"], pocket["mouths"][0]["rim_names"]), (None, None))
 
     def test_the_name_tells_the_format(self):
         for name, start in [("p.csv", "pocket,kind,"), ("p.json", "{\n"), ("p.txt", "input "),

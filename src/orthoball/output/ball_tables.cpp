@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <map>
 #include <string>
 #include <string_view>
@@ -12,39 +11,10 @@
 #include <vector>
 
 #include "orthoball/measures/compensated_sum.h"
+#include "orthoball/output/row_names.h"
 
 namespace orthoball {
 namespace {
-
-// "ALA 12", as far as it is known.
-std::string residue_of(const SiteLabels& labels, std::size_t row) {
-  std::string text(label_of(labels.residue, row));
-  const std::string_view number = label_of(labels.residue_id, row);
-  if (!text.empty() && !number.empty()) text += ' ';
-  return text.append(number);
-}
-
-void write_text(ByteSink& sink, std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return sink.text(text);
-  sink.text("\"");
-  for (const char& c : text)
-    sink.text(c == '"' ? std::string_view("\"\"") : std::string_view(&c, 1));
-  sink.text("\"");
-}
-
-void write_texts(ByteSink& sink, std::initializer_list<std::string_view> texts) {
-  for (const std::string_view text : texts) {
-    sink.text(",");
-    write_text(sink, text);
-  }
-}
-
-void write_reals(ByteSink& sink, std::initializer_list<double> numbers) {
-  for (const double number : numbers) {
-    sink.text(",");
-    sink.real(number + 0.0);  // no -0
-  }
-}
 
 // Who is of which residue; these in the order of their first rows.
 struct Residues {
@@ -53,10 +23,11 @@ struct Residues {
 };
 
 Residues residues_of(const SiteLabels& labels, std::size_t rows) {
+  const RowNames names(labels);
   Residues residues;
   std::map<std::pair<std::string, std::string>, std::size_t> number_of;
   for (std::size_t row = 0; row < rows; ++row) {
-    std::pair name(std::string(label_of(labels.chain, row)), residue_of(labels, row));
+    std::pair name(std::string(names.chain(row)), names.residue(row));
     const auto [at, is_new] = number_of.try_emplace(name, residues.names.size());
     if (is_new) residues.names.push_back(std::move(name));
     residues.of_row.push_back(at->second);
@@ -64,31 +35,38 @@ Residues residues_of(const SiteLabels& labels, std::size_t rows) {
   return residues;
 }
 
-void write_row(ByteSink& sink, std::size_t row) { sink.integer(static_cast<std::int64_t>(row)); }
+void write_residue(TableWriter& table, const std::pair<std::string, std::string>& name) {
+  table.text(name.first);
+  table.text(name.second);
+}
+
+void append(std::vector<std::string>& columns, const std::vector<std::string>& more) {
+  columns.insert(columns.end(), more.begin(), more.end());
+}
 
 }  // namespace
 
-void write_balls_csv(ByteSink& sink, const UnionOfBalls& balls, const WeightedPoints& points,
-                     const SiteLabels& labels) {
-  sink.text("row,chain,residue,atom,element,radius,area,volume\n");
+void write_balls(ByteSink& sink, TableFormat format, const UnionOfBalls& balls,
+                 const WeightedPoints& points, const SiteLabels& labels) {
+  const RowNames names(labels);
+  std::vector<std::string> columns = RowNames::columns();
+  append(columns, {"element", "radius", "area", "volume"});
+  TableWriter table(sink, format, columns);
   for (std::size_t row = 0; row < balls.areas.size(); ++row) {
-    write_row(sink, row);
-    write_texts(sink, {label_of(labels.chain, row), residue_of(labels, row),
-                       label_of(labels.atom, row), label_of(labels.element, row)});
-    if (const auto radius = ball_radius(points, row, balls.alpha2)) {
-      write_reals(sink, {*radius});
-    } else {
-      sink.text(",");
-    }
-    write_reals(sink, {balls.areas[row], balls.volumes[row]});
-    sink.text("\n");
+    names.write(table, row);
+    table.text(names.element(row));
+    const auto radius = ball_radius(points, row, balls.alpha2);
+    radius ? table.real(*radius) : table.none();
+    table.real(balls.areas[row]);
+    table.real(balls.volumes[row]);
   }
-  sink.flush();
+  table.finish();
 }
 
-void write_residues_csv(ByteSink& sink, const UnionOfBalls& balls, const SiteLabels& labels) {
+void write_residues(ByteSink& sink, TableFormat format, const UnionOfBalls& balls,
+                    const SiteLabels& labels) {
   struct Sums {
-    std::size_t atoms = 0;
+    std::int64_t atoms = 0;
     CompensatedSum area{}, volume{};
   };
   const Residues residues = residues_of(labels, balls.areas.size());
@@ -99,22 +77,35 @@ void write_residues_csv(ByteSink& sink, const UnionOfBalls& balls, const SiteLab
     of_residue.area.add(balls.areas[row]);
     of_residue.volume.add(balls.volumes[row]);
   }
-  sink.text("chain,residue,atoms,area,volume\n");
+  TableWriter table(sink, format, {"chain", "residue", "atoms", "area", "volume"});
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    write_text(sink, residues.names[i].first);
-    write_texts(sink, {residues.names[i].second});
-    sink.text(",");
-    write_row(sink, sums[i].atoms);
-    write_reals(sink, {sums[i].area.value().high, sums[i].volume.value().high});
-    sink.text("\n");
+    write_residue(table, residues.names[i]);
+    table.integer(sums[i].atoms);
+    table.real(sums[i].area.value().high);
+    table.real(sums[i].volume.value().high);
   }
-  sink.flush();
+  table.finish();
 }
 
-void write_residue_contacts_csv(ByteSink& sink, std::span<const Contact> contacts, std::size_t rows,
-                                const SiteLabels& labels) {
+void write_contacts(ByteSink& sink, TableFormat format, std::span<const Contact> contacts,
+                    const SiteLabels& labels) {
+  const RowNames names(labels);
+  std::vector<std::string> columns = RowNames::columns("_1");
+  append(columns, RowNames::columns("_2"));
+  append(columns, {"area", "exposed"});
+  TableWriter table(sink, format, columns);
+  for (const Contact& contact : contacts) {
+    for (const SiteId row : contact.rows) names.write(table, row.row());
+    table.real(contact.area);
+    table.real(contact.exposed);
+  }
+  table.finish();
+}
+
+void write_residue_contacts(ByteSink& sink, TableFormat format, std::span<const Contact> contacts,
+                            std::size_t rows, const SiteLabels& labels) {
   struct Sums {
-    std::size_t pairs = 0;
+    std::int64_t pairs = 0;
     CompensatedSum area{};
   };
   const Residues residues = residues_of(labels, rows);
@@ -127,55 +118,40 @@ void write_residue_contacts_csv(ByteSink& sink, std::span<const Contact> contact
     ++of_pair.pairs;
     of_pair.area.add(contact.area);
   }
-  sink.text("chain_1,residue_1,chain_2,residue_2,pairs,area\n");
+  TableWriter table(sink, format,
+                    {"chain_1", "residue_1", "chain_2", "residue_2", "pairs", "area"});
   for (const auto& [pair, of_pair] : sums) {
-    const auto& [chain_1, residue_1] = residues.names[pair.first];
-    const auto& [chain_2, residue_2] = residues.names[pair.second];
-    write_text(sink, chain_1);
-    write_texts(sink, {residue_1, chain_2, residue_2});
-    sink.text(",");
-    write_row(sink, of_pair.pairs);
-    write_reals(sink, {of_pair.area.value().high});
-    sink.text("\n");
+    write_residue(table, residues.names[pair.first]);
+    write_residue(table, residues.names[pair.second]);
+    table.integer(of_pair.pairs);
+    table.real(of_pair.area.value().high);
   }
-  sink.flush();
+  table.finish();
 }
 
-void write_contacts_csv(ByteSink& sink, std::span<const Contact> contacts) {
-  sink.text("row_1,row_2,area,exposed\n");
-  for (const Contact& contact : contacts) {
-    write_row(sink, contact.rows[0].row());
-    sink.text(",");
-    write_row(sink, contact.rows[1].row());
-    write_reals(sink, {contact.area, contact.exposed});
-    sink.text("\n");
-  }
-  sink.flush();
-}
-
-void write_derivatives_csv(ByteSink& sink, const UnionOfBalls& balls, int dimension) {
+void write_derivatives(ByteSink& sink, TableFormat format, const UnionOfBalls& balls, int dimension,
+                       const SiteLabels& labels) {
   const std::string_view axes = std::string_view("xyz").substr(0, dimension == 2 ? 2 : 3);
   const UnionDerivatives& derivatives = balls.derivatives;
-  sink.text("row,area_by_radius,volume_by_radius");
-  for (const std::string_view measure : {",volume_by_", ",area_by_"}) {
-    for (const char& axis : axes) {
-      sink.text(measure);
-      sink.text({&axis, 1});
-    }
+  const RowNames names(labels);
+  std::vector<std::string> columns = RowNames::columns();
+  append(columns, {"area_by_radius", "volume_by_radius"});
+  for (const char* const measure : {"volume_by_", "area_by_"}) {
+    for (const char axis : axes) columns.push_back(std::string(measure) + axis);
   }
-  sink.text("\n");
+  TableWriter table(sink, format, columns);
   for (std::size_t row = 0; row < derivatives.area_by_radius.size(); ++row) {
-    write_row(sink, row);
-    write_reals(sink, {derivatives.area_by_radius[row], balls.areas[row]});
+    names.write(table, row);
+    table.real(derivatives.area_by_radius[row]);
+    table.real(balls.areas[row]);
     for (const auto* const by_centre :
          {&derivatives.volume_by_centre, &derivatives.area_by_centre}) {
       for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-        write_reals(sink, {(*by_centre)[axes.size() * row + axis]});
+        table.real((*by_centre)[axes.size() * row + axis]);
       }
     }
-    sink.text("\n");
   }
-  sink.flush();
+  table.finish();
 }
 
 }  // namespace orthoball

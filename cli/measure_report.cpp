@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "cli/measure_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "cli/report.h"
+#include "orthoball/counted.h"
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <int D>
+Json json_of(const Loaded& input, const orthoball::Void<D>& hole, std::size_t& missing) {
+  const auto number = [&](double x) { return finite(x, missing); };
+  Json centre = Json::array();
+  for (const double x : hole.largest_ball_centre) centre.push_back(number(x));
+  Json json;
+  json["volume"] = number(hole.volume);
+  json["area"] = number(hole.area);
+  add_lining(json, hole.lining, input, missing);
+  json["born"] = number(hole.born_alpha2);
+  json["dies"] = number(hole.dies_alpha2);
+  json["largest_ball"] = nullptr;
+  if (hole.largest_ball_radius > 0.0) {
+    json["largest_ball"] = {{"centre", std::move(centre)},
+                            {"radius", number(hole.largest_ball_radius)}};
+  }
+  return json;
+}
+
+// "486 exposed, 12 buried": those that there are, exposed ones always.
+std::string counts_text(const BallCounts& counts) {
+  std::vector<std::string> words{fmt::format("{} exposed", counts.exposed)};
+  const auto add = [&](std::size_t count, const std::string& what) {
+    if (count > 0) words.push_back(fmt::format("{} {}", count, what));
+  };
+  add(counts.buried, "buried by others");
+  add(counts.hidden, "hidden inside others");
+  add(counts.duplicates, orthoball::noun_of(counts.duplicates, "duplicate"));
+  add(counts.empty, "empty");
+  return joined(words);
+}
+
+// The first of the voids, a line each.
+template <int D>
+std::string voids_text(const std::vector<orthoball::Void<D>>& voids, const std::string& unit) {
+  if (voids.empty()) return {};
+  constexpr std::size_t kShown = 7;
+  const auto head = [&](const std::string& what, const char* power) {
+    return unit.empty() ? what : fmt::format("{} [{}{}]", what, unit, power);
+  };
+  const auto row = [](const auto& first, const std::string& volume, const std::string& area,
+                      const auto& balls, const std::string& radius) {
+    return fmt::format("{:<7}{:>22} {:>22} {:>6} {:>26}\n", first, volume, area, balls, radius);
+  };
+  std::string text = "\n" + (D == 3 ? row("voids", head("volume", "³"), head("area", "²"), "balls",
+                                          head("largest ball inside", ""))
+                                    : row("holes", head("area", "²"), head("perimeter", ""),
+                                          "disks", head("largest disk inside", "")));
+  for (std::size_t i = 0; i < std::min(voids.size(), kShown); ++i) {
+    const orthoball::Void<D>& hole = voids[i];
+    text += row(fmt::format("  {}", i + 1), number_text(hole.volume), number_text(hole.area),
+                hole.lining.size(), number_text(hole.largest_ball_radius));
+  }
+  if (voids.size() > kShown) {
+    text += fmt::format("  and {} smaller; --voids FILE lists all\n", voids.size() - kShown);
+  }
+  return text;
+}
+
+}  // namespace
+
+template <int D>
+BallCounts ball_counts(const Loaded& input, const orthoball::Filtration<D>& filtration,
+                       const orthoball::UnionOfBalls& balls) {
+  const auto& triangulation = filtration.triangulation();
+  BallCounts counts;
+  std::vector<bool> has_cell(balls.areas.size(), true);
+  for (const orthoball::SiteId row : triangulation.hidden()) has_cell[row.row()] = false;
+  for (const orthoball::Duplicate& d : triangulation.duplicates()) has_cell[d.row.row()] = false;
+  counts.duplicates = triangulation.duplicates().size();
+  counts.hidden = triangulation.hidden().size();
+  for (std::size_t row = 0; row < has_cell.size(); ++row) {
+    const bool has_inside =
+        orthoball::ball_radius(input.shapes.points(), row, balls.alpha2).value_or(0.0) > 0.0;
+    if (!has_cell[row]) continue;
+    ++(balls.areas[row] > 0.0 ? counts.exposed : has_inside ? counts.buried : counts.empty);
+  }
+  return counts;
+}
+
+template <int D>
+std::string json_report(const Loaded& input, const Measured<D>& measured, std::size_t& missing) {
+  const auto number = [&](double x) { return finite(x, missing); };
+  const orthoball::UnionOfBalls& balls = measured.balls;
+  const BallCounts& counts = measured.counts;
+  Json json = balls_json(input, measured.chosen, missing);
+  json["volume"] = number(balls.volume);
+  json["area"] = number(balls.area);
+  json["mean_curvature"] = D == 3 ? number(balls.mean_curvature) : Json();
+  json["euler"] = balls.euler;
+  json["betti"] = measured.betti;
+  json["balls"] = {{"exposed", counts.exposed},
+                   {"buried", counts.buried},
+                   {"hidden", counts.hidden},
+                   {"duplicates", counts.duplicates},
+                   {"empty", counts.empty}};
+  json["void_count"] = measured.voids.size();
+  json["voids"] = Json::array();
+  for (const orthoball::Void<D>& hole : measured.voids) {
+    json["voids"].push_back(json_of(input, hole, missing));
+  }
+  return json_report_text(json);
+}
+
+template <int D>
+std::string text_report(const Loaded& input, const Measured<D>& measured) {
+  const auto unit = [&](const char* power) {
+    return input.reading.is_molecule ? " Å" + std::string(power) : std::string();
+  };
+  const orthoball::UnionOfBalls& balls = measured.balls;
+  std::string text = balls_text(input, measured.chosen);
+  text += report_line(input.reading.is_molecule ? "atoms"
+                      : D == 3                  ? "balls"
+                                                : "disks",
+                      counts_text(measured.counts));
+  text +=
+      report_line(D == 3 ? "volume" : "area", number_text(balls.volume) + unit(D == 3 ? "³" : "²"));
+  text +=
+      report_line(D == 3 ? "area" : "perimeter", number_text(balls.area) + unit(D == 3 ? "²" : ""));
+  if (D == 3) text += report_line("mean curvature", number_text(balls.mean_curvature) + unit(""));
+  text += report_line("euler", fmt::format("{}", balls.euler));
+  text += report_line("betti", betti_text(measured.betti));
+  return text + voids_text(measured.voids, input.unit());
+}
+
+template BallCounts ball_counts(const Loaded&, const orthoball::Filtration<2>&,
+                                const orthoball::UnionOfBalls&);
+template std::string json_report(const Loaded&, const Measured<2>&, std::size_t&);
+template std::string text_report(const Loaded&, const Measured<2>&);
+template BallCounts ball_counts(const Loaded&, const orthoball::Filtration<3>&,
+                                const orthoball::UnionOfBalls&);
+template std::string json_report(const Loaded&, const Measured<3>&, std::size_t&);
+template std::string text_report(const Loaded&, const Measured<3>&);
