@@ -13,6 +13,23 @@
 namespace orthoball {
 namespace {
 
+// The bytes of the character in UTF-8 that a text begins with; 0 where it begins with none.
+std::size_t character_size(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  if (first < 0xC2 || first > 0xF4) return 0;
+  const std::size_t size = first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+  if (text.size() < size) return 0;
+  for (std::size_t i = 1; i < size; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+  }
+  const unsigned second = byte(1);
+  const bool is_overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+  const bool is_beyond = (first == 0xED && second > 0x9F) || (first == 0xF4 && second > 0x8F);
+  return is_overlong || is_beyond ? 0 : size;
+}
+
 constexpr std::size_t kLongestNumber = 32;
 
 // "000102...99"
@@ -68,15 +85,18 @@ void ByteSink::integer(std::int64_t number) {
 
 void ByteSink::json_string(std::string_view string) {
   text("\"");
-  for (const char c : string) {
+  while (!string.empty()) {
+    const char c = string[0];
+    const std::size_t size = character_size(string);
     if (c == '"' || c == '\\') {
       const std::array<char, 2> escaped{'\\', c};
       text({escaped.data(), escaped.size()});
     } else if (static_cast<unsigned char>(c) < 0x20) {
       text(fmt::format("\\u{:04x}", static_cast<unsigned>(c)));
     } else {
-      text({&c, 1});
+      text(size == 0 ? "\xEF\xBF\xBD" : string.substr(0, size));
     }
+    string.remove_prefix(std::max<std::size_t>(1, size));
   }
   text("\"");
 }

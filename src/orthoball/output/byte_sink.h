@@ -42,7 +42,7 @@ class ByteSink {
   /// `missing` where there is no number to write; not counted.
   void none() { text(missing_); }
   void integer(std::int64_t number);
-  /// `text` as a JSON string, quotes included.
+  /// `text` as a JSON string, quotes included; U+FFFD for bytes that are not UTF-8.
   void json_string(std::string_view text);
   /// `number` as its bytes, the lowest first.
   template <class T>

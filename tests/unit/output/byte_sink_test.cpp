@@ -51,6 +51,25 @@ TEST(ByteSink, EscapesQuotesAndControlCharactersInJson) {
   EXPECT_EQ(written([](ByteSink& s) { s.json_string("a\"b\\c\nd é"); }), R"("a\"b\\c\u000ad é")");
 }
 
+TEST(ByteSink, ReplacesWhatIsNotUtf8InJson) {
+  const auto json = [](const std::string& text) {
+    return written([&](ByteSink& s) { s.json_string(text); });
+  };
+  const std::string whole = "\"\xC3\xA9\xE2\x82\xAC\xED\x9F\xBF\xF0\x9F\x98\x80\xF4\x8F\xBF\xBF\"";
+  EXPECT_EQ(json(whole.substr(1, whole.size() - 2)), whole);
+  const std::string other = "\xEF\xBF\xBD";
+  for (const char* const bad : {"\x80", "\xC1", "\xF5", "\xE9", "\xC3"}) {
+    EXPECT_EQ(json(std::string("a") + bad + "b"), "\"a" + other + "b\"");
+  }
+  // Overlong, a surrogate, beyond the last character: every byte is replaced.
+  for (const char* const bad : {"\xE0\x9F\xBF", "\xED\xA0\x80"}) {
+    EXPECT_EQ(json(bad), "\"" + other + other + other + "\"");
+  }
+  for (const char* const bad : {"\xF0\x8F\xBF\xBF", "\xF4\x90\x80\x80"}) {
+    EXPECT_EQ(json(bad), "\"" + other + other + other + other + "\"");
+  }
+}
+
 TEST(ByteSink, KeepsTheOrderOfPiecesLargerThanItsBuffer) {
   const std::string large(3U << 20U, 'x');
   const std::string result = written([&](ByteSink& s) {
