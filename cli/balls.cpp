@@ -90,18 +90,18 @@ nlohmann::ordered_json balls_json(const Loaded& input, const ChosenBalls& balls,
 }
 
 void add_lining(nlohmann::ordered_json& json, std::span<const orthoball::LiningBall> lining,
-                const Loaded& input, std::size_t& missing) {
+                bool has_areas, const Loaded& input, std::size_t& missing) {
   using Json = nlohmann::ordered_json;
   std::vector<orthoball::SiteId> rows;
   Json atoms = Json::array(), areas = Json::array();
   for (const orthoball::LiningBall& ball : lining) {
     rows.push_back(ball.row);
     atoms.push_back(ball.row.row());
-    areas.push_back(finite(ball.area, missing));
+    if (has_areas) areas.push_back(finite(ball.area, missing));
   }
   json["atoms"] = std::move(atoms);
   json["atom_names"] = names_json(rows, input);
-  json["atom_areas"] = std::move(areas);
+  json["atom_areas"] = has_areas ? std::move(areas) : Json();
 }
 
 nlohmann::ordered_json names_json(std::span<const orthoball::SiteId> rows, const Loaded& input) {

@@ -53,8 +53,9 @@ void add_balls_options(CLI::App& command, BallsOptions& options);
 
 /// Adds the keys `atoms` (rows), `atom_names` and `atom_areas` of the balls around a void or
 /// pocket.
+/// @param has_areas  otherwise `atom_areas` is null.
 void add_lining(nlohmann::ordered_json& json, std::span<const orthoball::LiningBall> lining,
-                const Loaded& input, std::size_t& missing);
+                bool has_areas, const Loaded& input, std::size_t& missing);
 
 /// The names of rows, such as "A/ALA 12/CB"; null where the input has none.
 [[nodiscard]] nlohmann::ordered_json names_json(std::span<const orthoball::SiteId> rows,

@@ -15,14 +15,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 template <int D>
-Json json_of(const Loaded& input, const orthoball::Void<D>& hole, std::size_t& missing) {
+Json json_of(const Loaded& input, const orthoball::Void<D>& hole, bool is_of_balls,
+             std::size_t& missing) {
   const auto number = [&](double x) { return finite(x, missing); };
   Json centre = Json::array();
   for (const double x : hole.largest_ball_centre) centre.push_back(number(x));
   Json json;
   json["volume"] = number(hole.volume);
   json["area"] = number(hole.area);
-  add_lining(json, hole.lining, input, missing);
+  add_lining(json, hole.lining, is_of_balls, input, missing);
   json["born"] = number(hole.born_alpha2);
   json["dies"] = number(hole.dies_alpha2);
   json["largest_ball"] = nullptr;
@@ -48,24 +49,28 @@ std::string counts_text(const BallCounts& counts) {
 
 // The first of the voids, a line each.
 template <int D>
-std::string voids_text(const std::vector<orthoball::Void<D>>& voids, const std::string& unit) {
+std::string voids_text(const Measured<D>& measured, const std::string& unit) {
+  const std::vector<orthoball::Void<D>>& voids = measured.voids;
   if (voids.empty()) return {};
+  const bool is_of_balls = measured.voids_of == orthoball::VoidsOf::balls;
   constexpr std::size_t kShown = 7;
   const auto head = [&](const std::string& what, const char* power) {
     return unit.empty() ? what : fmt::format("{} [{}{}]", what, unit, power);
   };
   const auto row = [](const auto& first, const std::string& volume, const std::string& area,
                       const auto& balls, const std::string& radius) {
-    return fmt::format("{:<7}{:>22} {:>22} {:>6} {:>26}\n", first, volume, area, balls, radius);
+    const std::string text = fmt::format("{:<7}{:>22} {:>22} {:>6}", first, volume, area, balls);
+    return radius.empty() ? text + "\n" : fmt::format("{} {:>26}\n", text, radius);
   };
-  std::string text = "\n" + (D == 3 ? row("voids", head("volume", "³"), head("area", "²"), "balls",
-                                          head("largest ball inside", ""))
-                                    : row("holes", head("area", "²"), head("perimeter", ""),
-                                          "disks", head("largest disk inside", "")));
+  const std::string text_of_ball =
+      !is_of_balls ? "" : head(D == 3 ? "largest ball inside" : "largest disk inside", "");
+  std::string text = is_of_balls ? "\n" : "\nin the alpha shape\n";
+  text += (D == 3 ? row("voids", head("volume", "³"), head("area", "²"), "balls", text_of_ball)
+                  : row("holes", head("area", "²"), head("perimeter", ""), "disks", text_of_ball));
   for (std::size_t i = 0; i < std::min(voids.size(), kShown); ++i) {
     const orthoball::Void<D>& hole = voids[i];
     text += row(fmt::format("  {}", i + 1), number_text(hole.volume), number_text(hole.area),
-                hole.lining.size(), number_text(hole.largest_ball_radius));
+                hole.lining.size(), is_of_balls ? number_text(hole.largest_ball_radius) : "");
   }
   if (voids.size() > kShown) {
     text += fmt::format("  and {} smaller; --voids FILE lists all\n", voids.size() - kShown);
@@ -110,10 +115,12 @@ std::string json_report(const Loaded& input, const Measured<D>& measured, std::s
                    {"hidden", counts.hidden},
                    {"duplicates", counts.duplicates},
                    {"empty", counts.empty}};
+  const bool is_of_balls = measured.voids_of == orthoball::VoidsOf::balls;
+  json["voids_of"] = is_of_balls ? "balls" : "shape";
   json["void_count"] = measured.voids.size();
   json["voids"] = Json::array();
   for (const orthoball::Void<D>& hole : measured.voids) {
-    json["voids"].push_back(json_of(input, hole, missing));
+    json["voids"].push_back(json_of(input, hole, is_of_balls, missing));
   }
   return json_report_text(json);
 }
@@ -136,7 +143,7 @@ std::string text_report(const Loaded& input, const Measured<D>& measured) {
   if (D == 3) text += report_line("mean curvature", number_text(balls.mean_curvature) + unit(""));
   text += report_line("euler", fmt::format("{}", balls.euler));
   text += report_line("betti", betti_text(measured.betti));
-  return text + voids_text(measured.voids, input.unit());
+  return text + voids_text(measured, input.unit());
 }
 
 template BallCounts ball_counts(const Loaded&, const orthoball::Filtration<2>&,

@@ -32,6 +32,7 @@ struct Measured {
   ChosenBalls chosen;
   orthoball::UnionOfBalls balls;
   orthoball::BettiNumbers<D> betti;
+  orthoball::VoidsOf voids_of;
   std::vector<orthoball::Void<D>> voids;
   BallCounts counts;
 };

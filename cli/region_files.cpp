@@ -22,7 +22,7 @@ std::string title_of(const Loaded& input, const ChosenBalls& balls, const Region
   const std::string probe =
       balls.probe.nearest > 0.0 ? " with a probe of " + number_text(balls.probe.nearest) : "";
   const std::string file = std::filesystem::path(input.reading.file).filename().string();
-  return fmt::format("{}s of the balls of {}{} at {}", regions.name, file, probe,
+  return fmt::format("{}s of the {} of {}{} at {}", regions.name, regions.of, file, probe,
                      orthoball::alpha_text(balls.at.alpha2, balls.at.index));
 }
 

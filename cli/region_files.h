@@ -25,9 +25,10 @@ struct Region {
   std::optional<orthoball::InscribedBall<3>> largest{};  ///< the largest ball inside, if known
 };
 
-/// Those of an input, and what they are called: "void" or "pocket".
+/// Those of an input.
 struct Regions {
-  std::string name;
+  std::string name;          ///< what one is called: "void" or "pocket"
+  std::string of = "balls";  ///< of what of the input
   std::vector<Region> all{};
 };
 

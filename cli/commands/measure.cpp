@@ -31,6 +31,7 @@ struct MeasureOptions {
   std::string output = "-";
   std::string format;  // text, json; empty: from the name of the output
   bool json = false;
+  std::string voids_of = "balls";  // or shape
   std::string per_atom, per_residue, contacts, residue_contacts, voids, derivatives, pdb, mesh,
       script;
 
@@ -79,7 +80,7 @@ void write_tables(const MeasureOptions& options, const Loaded& input, const Meas
     write_residue_contacts(sink, format, balls.contacts, balls.areas.size(), labels);
   });
   write(options.voids, [&](ByteSink& sink, TableFormat format) {
-    orthoball::write_voids<D>(sink, format, measured.voids, labels);
+    orthoball::write_voids<D>(sink, format, measured.voids, measured.voids_of, labels);
   });
   write(options.derivatives, [&](ByteSink& sink, TableFormat format) {
     write_derivatives(sink, format, balls, D, labels);
@@ -103,11 +104,12 @@ void write_pictures(const MeasureOptions& options, const Loaded& input,
     warn(losses.values, "area", " beyond what a B-factor can be; 999.99 stands for it");
     warn(losses.labels, "label", " longer than its columns; the rest is left out");
   }
-  Regions regions{"void"};
+  Regions regions{"void", options.voids_of};
   for (const orthoball::Void<D>& hole : measured.voids) {
     Region& region = regions.all.emplace_back(
         Region{"void", hole.volume, hole.area, hole.cells, hole.lining, {}});
     if constexpr (D == 3) {
+      if (!(hole.largest_ball_radius > 0.0)) continue;
       region.largest = {hole.largest_ball_centre, hole.largest_ball_radius};
     }
   }
@@ -141,11 +143,14 @@ Measured<D> measure(const MeasureOptions& options, const Loaded& input,
   orthoball::UnionOfBalls balls = orthoball::union_of_balls<D>(
       filtration, at.index, at.alpha2,
       {options.wants_contacts(), !options.derivatives.empty(), threads});
+  const auto of =
+      options.voids_of == "shape" ? orthoball::VoidsOf::shape : orthoball::VoidsOf::balls;
   const BallCounts counts = ball_counts(input, filtration, balls);
   return {{at, probe},
           std::move(balls),
           orthoball::betti_numbers<D>(filtration, at.index, threads),
-          orthoball::voids<D>(filtration, at.index, at.alpha2, orthoball::VoidsOf::balls, threads),
+          of,
+          orthoball::voids<D>(filtration, at.index, at.alpha2, of, threads),
           counts};
 }
 
@@ -219,6 +224,14 @@ void add_measure_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "measure", "Volume, area and voids of the union of balls, and every ball's part.");
   add_balls_options(*command, options->balls);
+  command
+      ->add_option("--voids-of", options->voids_of,
+                   "balls, or shape: measure voids as what the balls leave\nfree, or as what the "
+                   "alpha shape does")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"balls", "shape"}).description(""))
+      ->capture_default_str()
+      ->group("Balls");
   add_output_options(*command, *options);
   add_input_options(*command, options->balls.input);
   command->footer(
@@ -247,7 +260,11 @@ void add_measure_command(CLI::App& app) {
       "void (from 1). --script: opens INPUT and shows the space of every void as spheres, and the\n"
       "atoms around it as a selection void_N_atoms. With a probe that is the space for its "
       "centre.\n"
-      "--alpha2 auto is explained in shape --help.\n\n"
+      "The alpha shape (triangles, edges and points between the centres) has the same voids as "
+      "the\n"
+      "union of balls, but larger. --voids-of shape measures those, without atom_areas and "
+      "largest\n"
+      "ball. --alpha2 auto is explained in shape --help.\n\n"
       "Examples:\n"
       "  orthoball measure 1ubq.pdb\n"
       "  orthoball measure 1ubq.pdb --probe 1.4 --per-residue residues.csv --json\n"

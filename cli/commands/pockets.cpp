@@ -65,7 +65,7 @@ Json json_of(const Loaded& input, const orthoball::Pocket& pocket, std::size_t& 
   json["volume"] = number(pocket.volume);
   json["area"] = number(pocket.area);
   json["depth"] = pocket.depth ? number(*pocket.depth) : Json();
-  add_lining(json, pocket.lining, input, missing);
+  add_lining(json, pocket.lining, true, input, missing);
   json["mouths"] = std::move(mouths);
   return json;
 }

@@ -45,7 +45,7 @@ class Numbers(Measure):
 
     def test_has_the_promised_keys(self):
         keys = ["input", "dimension", "alpha2", "alpha", "index", "probe", "volume", "area",
-                "mean_curvature", "euler", "betti", "balls", "void_count", "voids"]
+                "mean_curvature", "euler", "betti", "balls", "voids_of", "void_count", "voids"]
         for sample, dimension in [(C60, 3), (EIGHT, 2)]:
             report = self.measure(sample, "--probe", "0.08")
             self.assertEqual([key for key in keys if key not in report], [])
@@ -111,6 +111,37 @@ class Numbers(Measure):
                                            "empty": 1})
         self.assertIn("2 exposed, 1 hidden inside others, 1 duplicate, 1 empty\n",
                       self.done("measure", path).stdout)
+
+
+    def test_voids_of_the_shape_are_polyhedra(self):
+        # The six corners of an octahedron: the union closes a small void inside.
+        path = self.balls("".join(f"{x} {y} {z} 0.9\n" for x, y, z in [
+            (1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]))
+        balls, shape = [self.measure(path, *options) for options in [[], ["--voids-of", "shape"]]]
+        self.assertEqual((balls["voids_of"], shape["voids_of"]), ("balls", "shape"))
+        (small,), (large,) = balls["voids"], shape["voids"]
+        self.assertAlmostEqual(large["volume"], 4 / 3, places=12)
+        self.assertAlmostEqual(large["area"], 4 * math.sqrt(3), places=12)
+        self.assertIsNone(large["atom_areas"])
+        self.assertIsNone(large["largest_ball"])
+        for key in ["atoms", "born", "dies"]:
+            self.assertEqual(large[key], small[key])
+        self.assertEqual({key: balls[key] for key in ["volume", "area", "betti", "void_count"]},
+                         {key: shape[key] for key in ["volume", "area", "betti", "void_count"]})
+        (row,) = self.table("--voids", path, "--voids-of", "shape")
+        self.assertEqual((float(row["volume"]), row["atom_areas"], row["radius"]),
+                         (large["volume"], "", ""))
+        text = self.done("measure", path, "--voids-of", "shape").stdout
+        self.assertIn("\nin the alpha shape\nvoids ", text)
+        self.assertNotIn("largest", text)
+        self.refused(2, "measure", path, "--voids-of", "cells")
+
+    def test_holes_of_a_shape_in_the_plane(self):
+        path = self.file("disks.csv", "x,y,r\n0,0,0.6\n1,0,0.6\n0,1,0.6\n1,1,0.6\n")
+        (hole,) = self.measure(path, "--radius-column", "r", "--dimension", "2", "--voids-of",
+                               "shape")["voids"]
+        self.assertAlmostEqual(hole["volume"], 1, places=12)
+        self.assertAlmostEqual(hole["area"], 4, places=12)
 
 
 class Alpha(Measure):

@@ -8,20 +8,22 @@
 namespace orthoball {
 namespace {
 
-void write_lining(TableWriter& table, std::span<const LiningBall> lining, const RowNames& names) {
+void write_lining(TableWriter& table, std::span<const LiningBall> lining, bool has_areas,
+                  const RowNames& names) {
   table.integers(lining, [](const LiningBall& ball) { return ball.row.row(); });
   if (names.has_any()) {
     table.texts(lining, [&](const LiningBall& ball) { return names.path(ball.row.row()); });
   } else {
     table.none();
   }
+  if (!has_areas) return table.none();
   table.reals(lining, [](const LiningBall& ball) { return ball.area; });
 }
 
 }  // namespace
 
 template <int D>
-void write_voids(ByteSink& sink, TableFormat format, std::span<const Void<D>> voids,
+void write_voids(ByteSink& sink, TableFormat format, std::span<const Void<D>> voids, VoidsOf of,
                  const SiteLabels& labels) {
   const RowNames names(labels);
   std::vector<std::string> columns{"void",       "volume",     "area", "atoms",
@@ -34,7 +36,7 @@ void write_voids(ByteSink& sink, TableFormat format, std::span<const Void<D>> vo
     table.integer(++number);
     table.real(hole.volume);
     table.real(hole.area);
-    write_lining(table, hole.lining, names);
+    write_lining(table, hole.lining, of == VoidsOf::balls, names);
     table.real(hole.born_alpha2);
     table.real(hole.dies_alpha2);
     const bool has_ball = hole.largest_ball_radius > 0.0;
@@ -61,14 +63,16 @@ void write_pockets(ByteSink& sink, TableFormat format, std::span<const Pocket> p
     table.real(pocket.volume);
     table.real(pocket.area);
     pocket.depth ? table.real(*pocket.depth) : table.none();
-    write_lining(table, pocket.lining, names);
+    write_lining(table, pocket.lining, true, names);
     table.integer(static_cast<std::int64_t>(pocket.mouths.size()));
     table.reals(pocket.mouths, [](const Mouth& mouth) { return mouth.area; });
   }
   table.finish();
 }
 
-template void write_voids<2>(ByteSink&, TableFormat, std::span<const Void<2>>, const SiteLabels&);
-template void write_voids<3>(ByteSink&, TableFormat, std::span<const Void<3>>, const SiteLabels&);
+template void write_voids<2>(ByteSink&, TableFormat, std::span<const Void<2>>, VoidsOf,
+                             const SiteLabels&);
+template void write_voids<3>(ByteSink&, TableFormat, std::span<const Void<3>>, VoidsOf,
+                             const SiteLabels&);
 
 }  // namespace orthoball

@@ -19,9 +19,9 @@ namespace orthoball {
 
 /// `void,volume,area,atoms,atom_names,atom_areas,born,dies,x,y,z,radius`. `born` and `dies` are
 /// alpha2; the rest is the largest ball inside, left out where none was found. In the plane there
-/// is no `z`.
+/// is no `z`. Voids of a shape have no `atom_areas`.
 template <int D>
-void write_voids(ByteSink& sink, TableFormat format, std::span<const Void<D>> voids,
+void write_voids(ByteSink& sink, TableFormat format, std::span<const Void<D>> voids, VoidsOf of,
                  const SiteLabels& labels);
 
 /// What a pocket is by the number of its mouths: "void" (none), "pocket" (one) or "channel".
@@ -32,9 +32,9 @@ void write_voids(ByteSink& sink, TableFormat format, std::span<const Void<D>> vo
 void write_pockets(ByteSink& sink, TableFormat format, std::span<const Pocket> pockets,
                    const SiteLabels& labels);
 
-extern template void write_voids<2>(ByteSink&, TableFormat, std::span<const Void<2>>,
+extern template void write_voids<2>(ByteSink&, TableFormat, std::span<const Void<2>>, VoidsOf,
                                     const SiteLabels&);  // in region_tables.cpp
-extern template void write_voids<3>(ByteSink&, TableFormat, std::span<const Void<3>>,
+extern template void write_voids<3>(ByteSink&, TableFormat, std::span<const Void<3>>, VoidsOf,
                                     const SiteLabels&);
 
 }  // namespace orthoball

@@ -137,16 +137,13 @@ class VoidMeasures {
     result.volume = std::max(0.0, part.volume);
     result.area = part.area;
     result.lining = std::move(part.lining);
-    find_largest_ball(result);
+    if (of_ == VoidsOf::balls) find_largest_ball(result);
     return result;
   }
 
  private:
   [[nodiscard]] FreePart polyhedron(std::span<const SimplexId> cells) const;
   void find_largest_ball(Void<D>& result) const;
-  [[nodiscard]] Sphere<D> ball(VertexId vertex) const {
-    return of_ == VoidsOf::balls ? free_.ball(vertex) : Sphere<D>{free_.ball(vertex).x, 0.0, 0.0};
-  }
 
   const Filtration<D>& filtration_;
   FreeSpace<D> free_;
@@ -186,7 +183,7 @@ void VoidMeasures<D>::find_largest_ball(Void<D>& result) const {
   if (vertices.size() <= D) return;
   std::vector<Sphere<D>> balls;
   balls.reserve(vertices.size());
-  for (const VertexId vertex : vertices) balls.push_back(ball(vertex));
+  for (const VertexId vertex : vertices) balls.push_back(free_.ball(vertex));
   // From the cells with the largest orthoballs.
   constexpr std::size_t kMostStarts = 64;
   std::vector<SimplexId> starts = result.cells;

@@ -29,13 +29,14 @@ struct Void {
   std::uint32_t born = 0, dies = 0;  ///< indices of the spectrum
   double born_alpha2 = 0.0, dies_alpha2 = 0.0;  ///< their labels; length^2
   /// The largest ball that was found inside, touching D + 1 of the lining balls, by a local search
-  /// from the 64 cells with the largest orthoballs. Radius 0 where none was found. In an alpha
-  /// shape the vertices are balls of radius 0, and the ball may reach through facets between them.
+  /// from the 64 cells with the largest orthoballs. Radius 0 where none was found, and in voids of
+  /// an alpha shape: what bounds a ball there are facets and edges, too.
   std::array<double, std::size_t{D}> largest_ball_centre{};
   double largest_ball_radius = 0.0;  ///< length
 };
 
-/// What the voids are holes of.
+/// What the voids are holes of. Both have the same voids, made of the same cells; those of the
+/// shape are larger by what the balls cover of them.
 enum class VoidsOf {
   balls,  ///< the union of balls
   shape,  ///< the alpha shape, the polyhedron that the union contains

@@ -30,26 +30,29 @@ Void<D> some_void() {
 
 TEST(VoidTable, HasALineForEveryVoid) {
   const std::array voids{some_void<3>(), some_void<3>()};
-  EXPECT_EQ(written([&](ByteSink& s) { write_voids<3>(s, TableFormat::csv, voids, {}); }),
-            "void,volume,area,atoms,atom_names,atom_areas,born,dies,x,y,z,radius\n"
-            "1,2.5,9,1 7,,4 5,-0.25,3,0,0.5,0.5,0.125\n"
-            "2,2.5,9,1 7,,4 5,-0.25,3,0,0.5,0.5,0.125\n");
+  EXPECT_EQ(
+      written([&](ByteSink& s) { write_voids<3>(s, TableFormat::csv, voids, VoidsOf::balls, {}); }),
+      "void,volume,area,atoms,atom_names,atom_areas,born,dies,x,y,z,radius\n"
+      "1,2.5,9,1 7,,4 5,-0.25,3,0,0.5,0.5,0.125\n"
+      "2,2.5,9,1 7,,4 5,-0.25,3,0,0.5,0.5,0.125\n");
 }
 
 TEST(VoidTable, HasTwoAxesInThePlane) {
   const std::array holes{some_void<2>()};
-  EXPECT_EQ(written([&](ByteSink& s) { write_voids<2>(s, TableFormat::csv, holes, {}); }),
-            "void,volume,area,atoms,atom_names,atom_areas,born,dies,x,y,radius\n"
-            "1,2.5,9,1 7,,4 5,-0.25,3,0,0.5,0.125\n");
+  EXPECT_EQ(
+      written([&](ByteSink& s) { write_voids<2>(s, TableFormat::csv, holes, VoidsOf::balls, {}); }),
+      "void,volume,area,atoms,atom_names,atom_areas,born,dies,x,y,radius\n"
+      "1,2.5,9,1 7,,4 5,-0.25,3,0,0.5,0.125\n");
 }
 
 TEST(VoidTable, LeavesABallThatWasNotFoundEmpty) {
   std::array holes{some_void<2>()};
   holes[0].largest_ball_radius = 0.0;
   holes[0].lining.clear();
-  EXPECT_EQ(written([&](ByteSink& s) { write_voids<2>(s, TableFormat::csv, holes, {}); }),
-            "void,volume,area,atoms,atom_names,atom_areas,born,dies,x,y,radius\n"
-            "1,2.5,9,,,,-0.25,3,,,\n");
+  EXPECT_EQ(
+      written([&](ByteSink& s) { write_voids<2>(s, TableFormat::csv, holes, VoidsOf::balls, {}); }),
+      "void,volume,area,atoms,atom_names,atom_areas,born,dies,x,y,radius\n"
+      "1,2.5,9,,,,-0.25,3,,,\n");
 }
 
 // Of the rows 0 to 7.
@@ -66,16 +69,29 @@ SiteLabels labels() {
 
 TEST(VoidTable, NamesTheAtomsAround) {
   const std::array holes{some_void<2>()};
-  EXPECT_EQ(written([&](ByteSink& s) { write_voids<2>(s, TableFormat::csv, holes, labels()); }),
+  EXPECT_EQ(written([&](ByteSink& s) {
+              write_voids<2>(s, TableFormat::csv, holes, VoidsOf::balls, labels());
+            }),
             "void,volume,area,atoms,atom_names,atom_areas,born,dies,x,y,radius\n"
             "1,2.5,9,1 7,A/ALA 1/CB;B/ALA 7/CB,4 5,-0.25,3,0,0.5,0.125\n");
+}
+
+TEST(VoidTable, HasNoAreasOfTheCornersOfAShape) {
+  const std::array holes{some_void<2>()};
+  const auto text = [&](TableFormat format) {
+    return written([&](ByteSink& s) { write_voids<2>(s, format, holes, VoidsOf::shape, {}); });
+  };
+  EXPECT_NE(text(TableFormat::csv).find("\n1,2.5,9,1 7,,,-0.25,"), std::string::npos);
+  EXPECT_NE(text(TableFormat::json).find(R"("atoms":[1,7],"atom_names":null,"atom_areas":null,)"),
+            std::string::npos);
 }
 
 TEST(VoidTable, CanBeJson) {
   std::array voids{some_void<3>(), some_void<3>()};
   voids[1].largest_ball_radius = 0.0;
   const auto text_with = [&](const SiteLabels& labels) {
-    return written([&](ByteSink& s) { write_voids<3>(s, TableFormat::json, voids, labels); });
+    return written(
+        [&](ByteSink& s) { write_voids<3>(s, TableFormat::json, voids, VoidsOf::balls, labels); });
   };
   EXPECT_EQ(
       text_with(labels()),
