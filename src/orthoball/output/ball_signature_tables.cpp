@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "orthoball/output/ball_signature_tables.h"
 
-#include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "orthoball/output/alpha_text.h"
@@ -78,24 +78,16 @@ void write_ball_signatures_json(ByteSink& sink, const std::vector<BallSignatureR
 template <int D>
 void write_ball_signatures_npz(ByteSink& sink, const std::vector<BallSignatureRow<D>>& rows) {
   NpzWriter archive(sink);
-  const std::size_t n = rows.size();
-  const auto column = [&](std::string_view name, auto type, const auto& value_of) {
-    std::vector<decltype(type)> values;
-    values.reserve(n);
-    for (const auto& row : rows) values.push_back(value_of(row));
-    archive.add<decltype(type)>(name, std::array{n}, values);
-  };
-  column("index", std::uint32_t{}, [](const auto& row) { return row.signature.index; });
-  column("alpha2", double{}, [](const auto& row) { return row.signature.alpha2; });
-  column("alpha", double{}, [](const auto& row) { return row.alpha; });
-  std::vector<std::uint32_t> betti;
-  for (const auto& row : rows) {
-    betti.insert(betti.end(), row.signature.betti.begin(), row.signature.betti.end());
-  }
-  archive.add<std::uint32_t>("betti", std::array{n, std::size_t{D}}, betti);
-  column("euler", std::int64_t{}, [](const auto& row) { return row.signature.euler; });
-  column("volume", double{}, [](const auto& row) { return row.signature.volume; });
-  column("area", double{}, [](const auto& row) { return row.signature.area; });
+  archive.add_column<std::uint32_t>("index", rows,
+                                    [](const auto& row) { return row.signature.index; });
+  archive.add_column<double>("alpha2", rows, [](const auto& row) { return row.signature.alpha2; });
+  archive.add_column<double>("alpha", rows, [](const auto& row) { return row.alpha; });
+  archive.add_columns("betti", D, rows,
+                      [](const auto& row) { return std::span(row.signature.betti); });
+  archive.add_column<std::int64_t>("euler", rows,
+                                   [](const auto& row) { return row.signature.euler; });
+  archive.add_column<double>("volume", rows, [](const auto& row) { return row.signature.volume; });
+  archive.add_column<double>("area", rows, [](const auto& row) { return row.signature.area; });
   archive.finish();
 }
 

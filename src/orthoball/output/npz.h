@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +29,25 @@ class NpzWriter {
     static_assert(std::endian::native == std::endian::little);
     add_bytes(name, type_text(T{}), shape,
               {reinterpret_cast<const char*>(values.data()), values.size_bytes()});
+  }
+  /// A column of a table, one number of type T a row, as `of` gives it.
+  template <class T, class Rows, class Of>
+  void add_column(std::string_view name, const Rows& rows, const Of& of) {
+    std::vector<T> values;
+    values.reserve(rows.size());
+    for (const auto& row : rows) values.push_back(of(row));
+    add<T>(name, std::array{values.size()}, values);
+  }
+  /// Several columns of counts in one array: `width` numbers a row, as `of` gives them.
+  template <class Rows, class Of>
+  void add_columns(std::string_view name, std::size_t width, const Rows& rows, const Of& of) {
+    std::vector<std::uint32_t> values;
+    values.reserve(rows.size() * width);
+    for (const auto& row : rows) {
+      const std::span<const std::uint32_t> numbers = of(row);
+      values.insert(values.end(), numbers.begin(), numbers.end());
+    }
+    add<std::uint32_t>(name, std::array{rows.size(), width}, values);
   }
   /// Writes the archive's directory and flushes the sink.
   void finish();

@@ -128,32 +128,21 @@ void write_signature_json(ByteSink& sink, const SignatureRow<D>& row) {
 template <int D>
 void write_signatures_npz(ByteSink& sink, const std::vector<SignatureRow<D>>& rows) {
   NpzWriter archive(sink);
-  const std::size_t n = rows.size();
-  const auto column = [&](std::string_view name, auto type, const auto& value_of) {
-    std::vector<decltype(type)> values;
-    values.reserve(n);
-    for (const auto& row : rows) values.push_back(value_of(row));
-    archive.add<decltype(type)>(name, std::array{n}, values);
-  };
-  const auto matrix = [&](std::string_view name, std::size_t width, const auto& numbers_of) {
-    std::vector<std::uint32_t> values;
-    values.reserve(n * width);
-    for (const auto& row : rows) {
-      const std::span<const std::uint32_t> numbers = numbers_of(row.signature);
-      values.insert(values.end(), numbers.begin(), numbers.end());
-    }
-    archive.add<std::uint32_t>(name, std::array{n, width}, values);
-  };
-  column("index", std::uint32_t{}, [](const auto& row) { return row.signature.index; });
-  column("alpha2", double{}, [](const auto& row) { return row.signature.alpha2; });
-  column("alpha", double{}, [](const auto& row) { return row.alpha; });
-  matrix("betti", D, [](const Signature<D>& s) { return std::span<const std::uint32_t>(s.betti); });
-  column("euler", std::int64_t{}, [](const auto& row) { return row.signature.euler; });
+  archive.add_column<std::uint32_t>("index", rows,
+                                    [](const auto& row) { return row.signature.index; });
+  archive.add_column<double>("alpha2", rows, [](const auto& row) { return row.signature.alpha2; });
+  archive.add_column<double>("alpha", rows, [](const auto& row) { return row.alpha; });
+  archive.add_columns("betti", D, rows,
+                      [](const auto& row) { return std::span(row.signature.betti); });
+  archive.add_column<std::int64_t>("euler", rows,
+                                   [](const auto& row) { return row.signature.euler; });
   for (std::size_t role = 0; role < kRoles.size(); ++role) {
-    matrix(kRoles[role], D + 1, [&](const Signature<D>& s) { return counts(s)[role]; });
+    archive.add_columns(kRoles[role], D + 1, rows,
+                        [&](const auto& row) { return counts(row.signature)[role]; });
   }
   for (std::size_t i = 0; i < kMeasureCount<D>; ++i) {
-    column(kMeasures[i], double{}, [&](const auto& row) { return measures(row.signature)[i]; });
+    archive.add_column<double>(kMeasures[i], rows,
+                               [&](const auto& row) { return measures(row.signature)[i]; });
   }
   archive.finish();
 }

@@ -88,6 +88,20 @@ FreePart FreeSpace<D>::part(std::span<const SimplexId> cells) const {
 }
 
 template <int D>
+std::vector<Sphere<D>> FreeSpace<D>::lining(std::span<const SimplexId> cells) const {
+  std::set<VertexId> vertices;
+  for (const SimplexId cell : cells) {
+    for (const VertexId vertex : filtration_->vertices(cell)) {
+      if (is_in(SimplexId(vertex.row()))) vertices.insert(vertex);
+    }
+  }
+  std::vector<Sphere<D>> balls;
+  balls.reserve(vertices.size());
+  for (const VertexId vertex : vertices) balls.push_back(ball(vertex));
+  return balls;
+}
+
+template <int D>
 std::array<double, std::size_t{D}> FreeSpace<D>::orthocentre(SimplexId cell) const {
   constexpr double kTolerance = 1e-6;  // of squares of lengths
   const Corners of_cell = corners(cell);
@@ -108,18 +122,12 @@ std::array<double, std::size_t{D}> FreeSpace<D>::orthocentre(SimplexId cell) con
 
 template <int D>
 std::vector<InscribedBall<D>> FreeSpace<D>::empty_balls(std::span<const SimplexId> cells) const {
-  std::set<VertexId> vertices;
   std::vector<InscribedBall<D>> candidates;
   for (const SimplexId cell : cells) {
     const auto of_cell = corners(cell);
     candidates.push_back(ball_around<D>(orthocentre(cell), of_cell));
-    for (const VertexId vertex : filtration_->vertices(cell)) {
-      if (is_in(SimplexId(vertex.row()))) vertices.insert(vertex);
-    }
   }
-  std::vector<Sphere<D>> lining;
-  lining.reserve(vertices.size());
-  for (const VertexId vertex : vertices) lining.push_back(ball(vertex));
+  const std::vector<Sphere<D>> around = lining(cells);
   const auto is_larger = [](const InscribedBall<D>& a, const InscribedBall<D>& b) {
     return a.radius > b.radius;
   };
@@ -137,7 +145,7 @@ std::vector<InscribedBall<D>> FreeSpace<D>::empty_balls(std::span<const SimplexI
     if (!(candidate.radius > 0.0)) continue;
     const auto holds = [&](const InscribedBall<D>& large) { return is_held_by(candidate, large); };
     if (std::any_of(chosen.begin(), chosen.end(), holds)) continue;
-    const InscribedBall<D> empty = ball_around<D>(candidate.centre, lining);
+    const InscribedBall<D> empty = ball_around<D>(candidate.centre, around);
     if (empty.radius > 0.0) chosen.push_back(empty);
   }
   std::stable_sort(chosen.begin(), chosen.end(), is_larger);

@@ -64,6 +64,8 @@ class FreeSpace {
   [[nodiscard]] std::array<double, std::size_t{D}> orthocentre(SimplexId cell) const;
   /// In the units of ScaledBalls: the balls at the corners of a cell, by vertex.
   [[nodiscard]] Corners corners(SimplexId cell) const;
+  /// In the units of ScaledBalls: those at the corners of cells that are in the complex, by vertex.
+  [[nodiscard]] std::vector<Sphere<D>> lining(std::span<const SimplexId> cells) const;
   [[nodiscard]] const Sphere<D>& ball(VertexId vertex) const {
     return balls_.spheres()[vertex.row()];
   }

@@ -174,16 +174,8 @@ FreePart VoidMeasures<D>::polyhedron(std::span<const SimplexId> cells) const {
 
 template <int D>
 void VoidMeasures<D>::find_largest_ball(Void<D>& result) const {
-  std::set<VertexId> vertices;
-  for (const SimplexId cell : result.cells) {
-    for (const VertexId vertex : filtration_.vertices(cell)) {
-      if (free_.is_in(SimplexId(vertex.row()))) vertices.insert(vertex);
-    }
-  }
-  if (vertices.size() <= D) return;
-  std::vector<Sphere<D>> balls;
-  balls.reserve(vertices.size());
-  for (const VertexId vertex : vertices) balls.push_back(free_.ball(vertex));
+  const std::vector<Sphere<D>> balls = free_.lining(result.cells);
+  if (balls.size() <= D) return;
   // From the cells with the largest orthoballs.
   constexpr std::size_t kMostStarts = 64;
   std::vector<SimplexId> starts = result.cells;

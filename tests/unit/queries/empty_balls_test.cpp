@@ -8,7 +8,7 @@
 
 #include "orthoball/queries/free_space.h"
 #include "orthoball/queries/pockets.h"
-#include "orthoball/triangulation/build.h"
+#include "unit/queries/filtration_of.h"
 
 namespace orthoball {
 namespace {
@@ -21,7 +21,7 @@ TEST(EmptyBalls, LieBetweenTheBallsAroundAndShowEveryPocketOnce) {
   for (double& one : x) one = coordinate(random);
   for (double& one : radii) one = radius(random);
   const WeightedPoints points(3, x, WeightKind::radius, radii);
-  const Filtration<3> filtration(regular_triangulation<3>(points));
+  const auto filtration = filtration_of<3>(points);
   const std::uint32_t index = filtration.index(0.0);
   const FreeSpace<3> space(filtration, index, 0.0);
   const auto distance = [](const double* a, const double* b) {

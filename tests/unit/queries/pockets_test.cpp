@@ -14,15 +14,10 @@
 #include "generators/point_families.h"
 #include "orthoball/error.h"
 #include "orthoball/queries/voids.h"
-#include "orthoball/triangulation/build.h"
+#include "unit/queries/filtration_of.h"
 
 namespace orthoball {
 namespace {
-
-template <int D>
-Filtration<D> filtration_of(const WeightedPoints& points) {
-  return Filtration<D>(regular_triangulation<D>(points));
-}
 
 // Disks on a circle of radius 5 that touch their neighbours more than well, without those for which
 // `is_left_out`.

@@ -13,15 +13,10 @@
 #include "orthoball/error.h"
 #include "orthoball/measures/union_of_balls.h"
 #include "orthoball/topology/betti.h"
-#include "orthoball/triangulation/build.h"
+#include "unit/queries/filtration_of.h"
 
 namespace orthoball {
 namespace {
-
-template <int D>
-Filtration<D> filtration_of(const WeightedPoints& points) {
-  return Filtration<D>(regular_triangulation<D>(points));
-}
 
 // [index]: from 0 on.
 template <int D>
