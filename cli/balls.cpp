@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "cli/usage_error.h"
 #include "orthoball/error.h"
 #include "orthoball/input/decimal.h"
+#include "orthoball/measures/union_of_balls.h"
 #include "orthoball/output/alpha_text.h"
 #include "orthoball/output/row_names.h"
 
@@ -110,6 +112,21 @@ nlohmann::ordered_json names_json(std::span<const orthoball::SiteId> rows, const
   auto json = nlohmann::ordered_json::array();
   for (const orthoball::SiteId row : rows) json.push_back(names.path(row.row()));
   return json;
+}
+
+std::uint64_t union_memory(const UnionWork& work) {
+  const bool is_space = work.dimension == 3;
+  const std::uint64_t of_balls = is_space ? 255 : 80;
+  const std::uint64_t of_voids = is_space ? 415 : 200;
+  constexpr std::uint64_t kPart = 16, kDerivatives = 100;  // a site: what is kept
+  constexpr std::uint64_t kContact = 52, kKeptContact = sizeof(orthoball::Contact);
+  const std::uint64_t derivatives = work.derivatives ? kDerivatives * work.sites : 0;
+  return derivatives + std::max(of_balls * work.sites + kContact * work.contacts,
+                                (kPart + of_voids) * work.sites + kKeptContact * work.contacts);
+}
+
+std::uint64_t pockets_memory(int dimension, std::size_t cells) {
+  return std::uint64_t{dimension == 3 ? 32U : 82U} * cells;
 }
 
 void warn_without_balls(const InputOptions& options, const Loaded& input, double alpha2) {

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
@@ -60,6 +61,22 @@ void add_lining(nlohmann::ordered_json& json, std::span<const orthoball::LiningB
 /// The names of rows, such as "A/ALA 12/CB"; null where the input has none.
 [[nodiscard]] nlohmann::ordered_json names_json(std::span<const orthoball::SiteId> rows,
                                                 const Loaded& input);
+
+// Peaks of memory beyond the filtration, in bytes. The constants are peaks of the resident memory
+// (VmHWM, reset before each work) of the families of benchmarks `atoms` at alpha2 0 and `uniform`
+// where it has most voids, with 100,000 to 1,000,000 sites.
+
+/// What of a union of balls is measured.
+struct UnionWork {
+  int dimension;
+  std::size_t sites;
+  std::size_t contacts;  ///< at most so many; 0 where they are not wanted
+  bool derivatives;
+};
+/// Of measuring a union of balls, and then its voids.
+[[nodiscard]] std::uint64_t union_memory(const UnionWork& work);
+/// Of finding pockets among so many cells.
+[[nodiscard]] std::uint64_t pockets_memory(int dimension, std::size_t cells);
 
 /// Warns if there are points but not one ball with an inside.
 void warn_without_balls(const InputOptions& options, const Loaded& input, double alpha2);

@@ -132,12 +132,10 @@ template <int D>
 Measured<D> measure(const MeasureOptions& options, const Loaded& input,
                     const orthoball::ProbeRadius& probe,
                     const orthoball::Filtration<D>& filtration) {
-  const std::uint64_t sites = filtration.triangulation().site_count();
-  const std::uint64_t of_derivatives =
-      options.derivatives.empty() ? 0 : 8 * std::uint64_t{4 * D + 2} * sites;
-  const std::uint64_t of_contacts =
-      options.wants_contacts() ? 2 * sizeof(orthoball::Contact) * filtration.count(1) : 0;
-  require_memory(options.balls.input, 400 * sites + of_derivatives + of_contacts, "the measures");
+  const std::uint64_t needed = union_memory({D, filtration.triangulation().site_count(),
+                                             options.wants_contacts() ? filtration.count(1) : 0,
+                                             !options.derivatives.empty()});
+  require_memory(options.balls.input, needed, "the measures");
   const orthoball::Threads threads = threads_of(options.balls.input);
   const ChosenAlpha at = chosen_alpha(options.balls, input);
   orthoball::UnionOfBalls balls = orthoball::union_of_balls<D>(

@@ -161,8 +161,7 @@ void run(const PocketsOptions& options) {
   std::visit(
       [&]<int D>(const orthoball::Filtration<D>& filtration) {
         const ChosenBalls balls{chosen_alpha(options.balls, input), probe};
-        constexpr std::uint64_t kBytesACell = 64;
-        require_memory(reads, kBytesACell * filtration.count(D), "the pockets");
+        require_memory(reads, pockets_memory(D, filtration.count(D)), "the pockets");
         const Pockets pockets =
             orthoball::pockets<D>(filtration, balls.at.index, balls.at.alpha2, threads_of(reads));
         say_how(reads, {balls.at});
