@@ -129,6 +129,11 @@ std::uint64_t pockets_memory(int dimension, std::size_t cells) {
   return std::uint64_t{dimension == 3 ? 32U : 82U} * cells;
 }
 
+std::uint64_t report_memory(std::size_t balls, const Loaded& input) {
+  const bool has_names = orthoball::RowNames(input.reading.labels).has_any();
+  return std::uint64_t{has_names ? 560U : 380U} * balls;
+}
+
 void warn_without_balls(const InputOptions& options, const Loaded& input, double alpha2) {
   const orthoball::WeightedPoints& points = input.shapes.points();
   if (points.size() == 0) return;

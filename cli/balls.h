@@ -78,5 +78,9 @@ struct UnionWork {
 /// Of finding pockets among so many cells.
 [[nodiscard]] std::uint64_t pockets_memory(int dimension, std::size_t cells);
 
+/// Of a report in JSON that lists so many balls around voids or pockets, by name where labels have
+/// names.
+[[nodiscard]] std::uint64_t report_memory(std::size_t balls, const Loaded& input);
+
 /// Warns if there are points but not one ball with an inside.
 void warn_without_balls(const InputOptions& options, const Loaded& input, double alpha2);

@@ -169,6 +169,11 @@ void run(const MeasureOptions& options) {
       [&]<int D>(const orthoball::Filtration<D>& filtration) {
         const Measured<D> measured = measure(options, input, probe, filtration);
         say_how(reads, {measured.chosen.at});
+        if (is_json(options)) {
+          std::size_t lining = 0;
+          for (const orthoball::Void<D>& hole : measured.voids) lining += hole.lining.size();
+          require_memory(reads, report_memory(lining, input), "the report");
+        }
         write_tables(options, input, measured, missing);
         write_pictures(options, input, filtration, measured);
         const std::string report = is_json(options) ? json_report(input, measured, missing.nulls)

@@ -135,6 +135,16 @@ std::string text_report(const Loaded& input, const ChosenBalls& balls, const Poc
          pockets_text(input, pockets);
 }
 
+// The balls that JSON lists, around pockets and mouths.
+std::size_t listed(const Pockets& pockets) {
+  std::size_t balls = 0;
+  for (const orthoball::Pocket& pocket : pockets) {
+    balls += pocket.lining.size();
+    for (const orthoball::Mouth& mouth : pocket.mouths) balls += mouth.rim.size();
+  }
+  return balls;
+}
+
 Regions regions_of(const Pockets& pockets) {
   Regions regions{"pocket"};
   for (const orthoball::Pocket& pocket : pockets) {
@@ -164,6 +174,8 @@ void run(const PocketsOptions& options) {
         require_memory(reads, pockets_memory(D, filtration.count(D)), "the pockets");
         const Pockets pockets =
             orthoball::pockets<D>(filtration, balls.at.index, balls.at.alpha2, threads_of(reads));
+        if (format == "json")
+          require_memory(reads, report_memory(listed(pockets), input), "the report");
         say_how(reads, {balls.at});
         const Regions regions = regions_of(pockets);
         write_region_mesh<D>(options.mesh, input, balls, filtration, regions);

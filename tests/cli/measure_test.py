@@ -14,7 +14,7 @@ import pathlib
 import subprocess
 import unittest
 
-from program import C60, EIGHT, InAFolder, PROGRAM, SAMPLES, TWO_BALLS, ply
+from program import C60, EIGHT, InAFolder, PROGRAM, SAMPLES, TWO_BALLS, orthoball, ply
 
 DNA = str(SAMPLES / "bdna_dodecamer.pdb")
 TABLES = ["--per-atom", "--per-residue", "--contacts", "--residue-contacts", "--voids",
@@ -472,6 +472,29 @@ class Outputs(Measure):
                           self.refused(2, "measure", DNA, option, self.folder / "table.pdb"))
         self.done("measure", DNA, "--per-residue", self.folder / "table")
         self.done("measure", DNA, "--per-residue", os.devnull)
+
+    def test_more_memory_than_the_limit_is_refused_before_it_is_used(self):
+        # Cells of a lattice with a void each, so that the report is long.
+        path = self.balls("".join(f"{x} {y} {z} 0.75\n" for x in range(14) for y in range(14)
+                                  for z in range(14)))
+        for command in ["measure", "pockets"]:
+            table = [] if command == "pockets" else ["--per-atom", self.folder / "atoms.csv"]
+            refused, low, high = set(), 1, 128
+            while high - low > 1:
+                limit = (low + high) // 2
+                result = orthoball(command, path, "--json", "--threads", "1", "--memory-limit",
+                                   f"{limit}M", *table)
+                if result.returncode == 0:
+                    high = limit
+                else:
+                    low = limit
+                    self.assertEqual((result.returncode, result.stdout), (3, ""))
+                    refused.add(result.stderr.split(": about ")[0].split(": ")[-1])
+            self.assertLess(high, 128)
+            self.assertIn("the report", refused)
+            (self.folder / "atoms.csv").unlink(missing_ok=True)
+            self.refused(3, command, path, "--json", "--memory-limit", f"{low}M", *table)
+            self.assertEqual([file.name for file in self.folder.iterdir()], [path.name])
 
     def test_an_output_that_is_the_input_is_refused(self):
         path = self.balls("0 0 0 1\n", "balls.csv")
