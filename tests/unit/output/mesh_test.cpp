@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
 #include "unit/output/shapes.h"
+#include "unit/output/written_bytes.h"
 
 namespace orthoball {
 namespace {
@@ -24,18 +24,6 @@ Written mixed(MeshFormat format, bool roles) {
   Written result{shape_mesh(shapes.filtration, shapes.points, index, false), {}};
   result.bytes = written([&](ByteSink& s) { write_mesh(s, result.mesh, {format, roles, 1.0}); });
   return result;
-}
-
-template <class T>
-T take(std::string_view& bytes) {
-  T number{};
-  if (bytes.size() < sizeof(T)) {
-    ADD_FAILURE() << "the file ends early";
-    return number;
-  }
-  std::memcpy(&number, bytes.data(), sizeof(T));
-  bytes.remove_prefix(sizeof(T));
-  return number;
 }
 
 TEST(Mesh, FormatsAreToldByTheirNames) {
@@ -123,39 +111,6 @@ TEST(Mesh, StlHasFiftyBytesATriangleAndUnitNormalsThatPointOutwards) {
     EXPECT_GT(numbers[0] * numbers[3] + numbers[1] * numbers[4] + numbers[2] * numbers[5], 0.5);
     EXPECT_EQ(take<std::uint16_t>(rest), 0);
   }
-}
-
-std::string decoded(std::string_view text) {
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    const std::string_view digits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    bits = bits << 6U | static_cast<std::uint32_t>(digits.find(c));
-    count += 6;
-    if (count >= 8) {
-      count -= 8;
-      bytes += static_cast<char>(bits >> static_cast<unsigned>(count) & 0xFFU);
-    }
-  }
-  return bytes;
-}
-
-// The bytes of the DataArray of a name, checked against the size written before them.
-std::string data_array(const std::string& vtu, const std::string& name) {
-  const std::size_t at = vtu.find("Name=\"" + name + "\"");
-  if (at == std::string::npos) return {};
-  const std::size_t begin = vtu.find('>', at) + 1;
-  const std::string text = vtu.substr(begin, vtu.find('<', begin) - begin);
-  std::string_view size = decoded(text.substr(0, 12));
-  const std::string header = decoded(text.substr(0, 12));
-  size = header;
-  const auto expected = take<std::uint64_t>(size);
-  const std::string bytes = decoded(text.substr(12));
-  EXPECT_EQ(bytes.size(), expected) << name;
-  return bytes;
 }
 
 TEST(Mesh, VtuHoldsTrianglesLinesAndVerticesWithRowsAndRoles) {
