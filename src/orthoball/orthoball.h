@@ -38,6 +38,7 @@
 // queries
 #include "orthoball/queries/planar_union.h"
 #include "orthoball/queries/pockets.h"
+#include "orthoball/queries/power_cells.h"
 #include "orthoball/queries/voids.h"
 // output
 #include "orthoball/output/ball_tables.h"
@@ -47,6 +48,7 @@
 #include "orthoball/output/persistence_plot.h"
 #include "orthoball/output/persistence_table.h"
 #include "orthoball/output/planar_shape.h"
+#include "orthoball/output/power_cell_files.h"
 #include "orthoball/output/region_mesh.h"
 #include "orthoball/output/region_tables.h"
 #include "orthoball/output/row_names.h"
