@@ -25,9 +25,11 @@ Kind kind_of(OutputKind kind) {
     case OutputKind::mesh:
       return {"the mesh is PLY", {"ply"}, false};
     case OutputKind::script:
+      return {"the script is for PyMOL or ChimeraX", {"pml", "cxc"}, true};
+    case OutputKind::cells:
       break;
   }
-  return {"the script is for PyMOL or ChimeraX", {"pml", "cxc"}, true};
+  return {"the power cells are CSV, JSON, VTU or OBJ", {"csv", "json", "vtu", "obj"}, true};
 }
 
 void check_ending(const NamedOutput& output) {

@@ -16,6 +16,7 @@ enum class OutputKind {
   atoms,   ///< PDB
   mesh,    ///< PLY
   script,  ///< of PyMOL or ChimeraX: the name must tell
+  cells,   ///< CSV, JSON, VTU or OBJ: the name must tell
 };
 
 /// A file beside the report, and the option that names it.

@@ -13,6 +13,7 @@
 #include "cli/measure_report.h"
 #include "cli/named_outputs.h"
 #include "cli/output_file.h"
+#include "cli/power_cell_file.h"
 #include "cli/region_files.h"
 #include "cli/usage_error.h"
 #include "orthoball/counted.h"
@@ -34,9 +35,10 @@ struct MeasureOptions {
   std::string voids_of = "balls";  // or shape
   std::string per_atom, per_residue, contacts, residue_contacts, voids, derivatives, pdb, mesh,
       script;
+  PowerCellFile cells;
 
   [[nodiscard]] bool wants_contacts() const {
-    return !contacts.empty() || !residue_contacts.empty();
+    return !contacts.empty() || !residue_contacts.empty() || cells.is_within_balls();
   }
 };
 
@@ -54,7 +56,8 @@ std::vector<NamedOutput> outputs(const MeasureOptions& options) {
           {"--derivatives", options.derivatives},
           {"--pdb", options.pdb, OutputKind::atoms},
           {"--mesh", options.mesh, OutputKind::mesh},
-          {"--script", options.script, OutputKind::script}};
+          {"--script", options.script, OutputKind::script},
+          {"--cells", options.cells.path, OutputKind::cells}};
 }
 
 // Those that were asked for, in the order of the options.
@@ -161,6 +164,7 @@ void run(const MeasureOptions& options) {
   orthoball::Reading reading = read_input(reads, progress, false);
   check_residues(options, reading);
   check_script(options.script, reading);
+  check_power_cells(options.cells, reading.points.dimension());
   if (!options.pdb.empty()) require_pdb_points(reading.points);
   const Loaded input = build_shapes(reads, progress, with_probe(std::move(reading), probe));
   progress.begin(Stage::measuring);
@@ -176,6 +180,8 @@ void run(const MeasureOptions& options) {
         }
         write_tables(options, input, measured, missing);
         write_pictures(options, input, filtration, measured);
+        write_power_cells(options.cells, reads, input, measured.chosen, filtration, measured.balls,
+                          missing);
         const std::string report = is_json(options) ? json_report(input, measured, missing.nulls)
                                                     : text_report(input, measured);
         progress.end();
@@ -218,6 +224,7 @@ void add_output_options(CLI::App& command, MeasureOptions& options) {
   file("--mesh", options.mesh, "the boundaries of all voids, as PLY");
   file("--script", options.script,
        "shows the voids in PyMOL or ChimeraX; FILE ends in\n.pml or .cxc");
+  add_power_cell_options(command, options.cells, group);
 }
 
 }  // namespace
@@ -263,6 +270,10 @@ void add_measure_command(CLI::App& app) {
       "void (from 1). --script: opens INPUT and shows the space of every void as spheres, and the\n"
       "atoms around it as a selection void_N_atoms. With a probe that is the space for its "
       "centre.\n"
+      "--cells: the places nearer to a ball than to any other, by distance^2 - radius^2, as\n"
+      "polyhedra or polygons, or as CSV: row, chain, residue, atom, element, volume, area of the\n"
+      "surface, exposed (of that, on the box or the sphere), facets (neighbours), is_clipped (by\n"
+      "the box or the ball: 1 or 0). Within balls they are the parts of the union.\n"
       "The alpha shape (triangles, edges and points between the centres) has the same voids as "
       "the\n"
       "union of balls, but larger. --voids-of shape measures those, without atom_areas and "

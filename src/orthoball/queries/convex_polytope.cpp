@@ -174,17 +174,17 @@ void ConvexPolytope<D>::add_facet(std::uint32_t label) {
 template <int D>
 void ConvexPolytope<D>::take_new_facets() {
   numbers_.assign(corners_.size(), kNone);
-  std::vector<Point> kept;
   for (std::uint32_t& corner : new_loops_) {
     if (numbers_[corner] == kNone) {
-      numbers_[corner] = static_cast<std::uint32_t>(kept.size());
-      kept.push_back(corners_[corner]);
+      numbers_[corner] = static_cast<std::uint32_t>(new_corners_.size());
+      new_corners_.push_back(corners_[corner]);
     }
     corner = numbers_[corner];
   }
-  corners_ = std::move(kept);
+  corners_.swap(new_corners_);
   facets_.swap(new_facets_);
   loops_.swap(new_loops_);
+  new_corners_.clear();
   new_facets_.clear();
   new_loops_.clear();
 }

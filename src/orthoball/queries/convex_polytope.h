@@ -88,6 +88,7 @@ class ConvexPolytope {
   // Those of one cut, kept for their room.
   std::vector<double> excess_;  // [corner]: how far beyond the plane, times the normal's length
   std::vector<CutCorner> cut_corners_;  // numbered after the corners
+  std::vector<Point> new_corners_;
   std::vector<Facet> new_facets_;
   std::vector<std::uint32_t> new_loops_;
   std::vector<std::uint32_t> numbers_;  // [corner]

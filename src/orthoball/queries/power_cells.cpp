@@ -82,10 +82,15 @@ class PowerCells {
         areas_(balls_.units(D - 1)),
         volumes_(balls_.units(D)) {}
 
+  struct Cut {
+    double height;
+    std::uint32_t neighbour;
+    HalfSpace<D> half;
+  };
   // What one thread keeps from cell to cell.
   struct Room {
     ConvexPolytope<D> polytope;
-    std::vector<std::pair<double, std::uint32_t>> nearest;  // height and neighbour
+    std::vector<Cut> cuts;
   };
 
   // result[i] = cell(vertices[i], room)
@@ -139,16 +144,20 @@ class PowerCells {
   void cut(VertexId vertex, double reach, Room& room) const {
     const auto spheres = balls_.spheres();
     const Sphere<D>& ball = spheres[vertex.row()];
-    room.nearest.clear();
+    room.cuts.clear();
     for (const VertexId neighbour : neighbours_.of(vertex)) {
       const HalfSpace<D> half = nearer_half(ball, spheres[neighbour.row()]);
+      const double its_height = height(half);
       // Without a normal they are closer than doubles can tell.
-      if (!has_normal(half) || !(height(half) < reach)) continue;
-      room.nearest.emplace_back(height(half), neighbour.row());
+      if (has_normal(half) && its_height < reach) {
+        room.cuts.push_back({its_height, neighbour.row(), half});
+      }
     }
-    std::sort(room.nearest.begin(), room.nearest.end());
-    for (const auto& [height, neighbour] : room.nearest) {
-      room.polytope.cut(nearer_half(ball, spheres[neighbour]), neighbour);
+    std::sort(room.cuts.begin(), room.cuts.end(), [](const Cut& a, const Cut& b) {
+      return std::pair(a.height, a.neighbour) < std::pair(b.height, b.neighbour);
+    });
+    for (const Cut& one : room.cuts) {
+      room.polytope.cut(one.half, one.neighbour);
       if (room.polytope.is_empty()) return;
     }
   }
