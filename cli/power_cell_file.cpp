@@ -94,7 +94,7 @@ std::string title_of(const PowerCellFile& file, const Loaded& input, const Chose
 std::uint64_t bytes_for_site(const PowerCellFile& file, int dimension, double tolerance) {
   const std::string ending = ending_of(file.path);
   if (ending == "csv" || ending == "json") return 300;
-  const double facets = dimension == 3 ? 30.0 : 8.0;
+  const double facets = dimension == 3 ? 45.0 : 10.0;
   const double on_sphere = !file.is_within_balls() ? 0.0
                            : dimension == 3        ? 4.0 / tolerance
                                                    : 3.0 / std::sqrt(tolerance);

@@ -74,7 +74,9 @@ class ExitStatuses(InAFolder):
                    "--per-atom": ["measure"], "--per-residue": ["measure"], "--voids": ["measure"],
                    "--contacts": ["measure"], "--derivatives": ["measure"],
                    "--pdb": ["measure"], "--mesh": ["measure", "pockets"],
-                   "--script": ["measure", "pockets"]}
+                   "--script": ["measure", "pockets"], "--cells": ["measure"],
+                   "--cells-within": ["measure"], "--cells-box": ["measure"],
+                   "--cells-tolerance": ["measure"]}
         for option, where in options.items():
             for command in where:
                 with self.subTest(option=option, command=command):
