@@ -293,6 +293,33 @@ TEST(PowerCells, HaveFiniteClosedSurfacesAndSymmetricNeighbours) {
   }
 }
 
+// The numbers of all cells, without their rows.
+template <int D>
+std::vector<std::array<double, 4>> sorted_numbers(const std::vector<PowerCell<D>>& cells) {
+  std::vector<std::array<double, 4>> numbers;
+  for (const PowerCell<D>& cell : cells) {
+    numbers.push_back({cell.volume, cell.area, cell.exposed, double(cell.facet_count)});
+  }
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+TEST(PowerCells, AreTheSameForAnyOrderOfRowsAndAnyThreads) {
+  for_each_case([]<int D>(const Cells<D>& of) {
+    const auto order = generators::random_permutation(of.points.size(), 1);
+    const Filtration<D> shuffled(regular_triangulation<D>(generators::with_rows(of.points, order)));
+    const auto cells = power_cells(shuffled, of.box, {.threads = Threads(3)});
+    EXPECT_EQ(sorted_numbers(cells), sorted_numbers(of.cells));
+    const UnionOptions with_contacts{.contacts = true, .threads = Threads(1)};
+    const auto in_balls = [&](const Filtration<D>& filtration) {
+      const std::uint32_t index = filtration.index(0.0);
+      return sorted_numbers(power_cells_in_balls(
+          filtration, union_of_balls(filtration, index, 0.0, with_contacts), kOneThread));
+    };
+    EXPECT_EQ(in_balls(shuffled), in_balls(of.filtration));
+  });
+}
+
 // The surfaces in balls hold the volume of the parts, less what the tolerance takes.
 TEST(PowerCellsInBalls, HaveSurfacesNearTheirParts) {
   for (const PointFamily family :

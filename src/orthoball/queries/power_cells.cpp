@@ -232,6 +232,27 @@ Box<D> scaled(const Box<D>& box, const ScaledBalls<D>& balls) {
   return result;
 }
 
+// What a ball's part has in common with others.
+struct Touching {
+  double area = 0.0;
+  std::uint32_t count = 0;
+};
+
+// [row]. The smallest areas are added first, so that sums do not depend on the order of rows.
+std::vector<Touching> touching_of(const UnionOfBalls& balls) {
+  std::vector<Contact> contacts = balls.contacts;
+  std::sort(contacts.begin(), contacts.end(),
+            [](const Contact& a, const Contact& b) { return a.area < b.area; });
+  std::vector<Touching> result(balls.areas.size());
+  for (const Contact& contact : contacts) {
+    for (const SiteId row : contact.rows) {
+      result[row.row()].area += contact.area;
+      if (contact.area > 0.0) ++result[row.row()].count;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 template <int D>
@@ -287,14 +308,7 @@ std::vector<PowerCell<D>> power_cells_in_balls(const Filtration<D>& filtration,
                                                const UnionOfBalls& balls,
                                                const PowerCellOptions& options) {
   const auto& sites = filtration.triangulation().sites();
-  std::vector<double> contacts(balls.areas.size(), 0.0);         // [row]
-  std::vector<std::uint32_t> neighbours(balls.areas.size(), 0);  // [row]
-  for (const Contact& contact : balls.contacts) {
-    for (const SiteId row : contact.rows) {
-      contacts[row.row()] += contact.area;
-      if (contact.area > 0.0) ++neighbours[row.row()];
-    }
-  }
+  const std::vector<Touching> touching = touching_of(balls);
   std::vector<VertexId> vertices;
   for (const VertexId vertex : vertices_by_row(sites)) {
     if (filtration.enters(SimplexId(vertex.row())) <= balls.index) vertices.push_back(vertex);
@@ -308,8 +322,8 @@ std::vector<PowerCell<D>> power_cells_in_balls(const Filtration<D>& filtration,
     const std::size_t row = cell.row.row();
     cell.volume = balls.volumes[row];
     cell.exposed = balls.areas[row];
-    cell.area = balls.areas[row] + contacts[row];
-    cell.facet_count = neighbours[row];
+    cell.area = balls.areas[row] + touching[row].area;
+    cell.facet_count = touching[row].count;
     cell.is_clipped = filtration.interior(SimplexId(vertex.row())) > balls.index;
     if (options.surfaces) cells.add_surface(vertex, sphere, cell, room);
     return cell;

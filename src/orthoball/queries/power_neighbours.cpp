@@ -101,7 +101,7 @@ class Steps {
       return is_step(owner / 4, owner % 4);
     } else if constexpr (A == 3) {
       const std::uint32_t owner = filtration_.table().edge_owners()[edge];
-      unsigned sides = 0;  // of steps: two each
+      unsigned sides = 0;  // of steps: each has two
       Corners<3> hull{};   // the edge, and what follows it in its triangles on the hull
       std::size_t known = 2;
       for_each_around_edge(cells_, owner / 6, owner % 6, [&](std::uint32_t cell, unsigned slot) {
@@ -113,7 +113,7 @@ class Steps {
           if (is_hull) hull[known++] = cells_[cell].corners[kEdgeCorners[5 - slot][1 - i]];
         }
       });
-      if (sides > 4) return true;
+      if (sides / 2 >= 3) return true;
       return known == 4 && orient<3, D>(sites_, hull) != Sign::zero;
     } else {
       return true;
