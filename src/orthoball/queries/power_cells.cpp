@@ -95,7 +95,8 @@ class PowerCells {
 
   // result[i] = cell(vertices[i], room)
   template <class Cell>
-  std::vector<PowerCell<D>> cells(std::span<const VertexId> vertices, const Cell& cell) const {
+  [[nodiscard]] std::vector<PowerCell<D>> cells(std::span<const VertexId> vertices,
+                                                const Cell& cell) const {
     constexpr std::size_t kAtOnce = 64;
     std::vector<PowerCell<D>> result(vertices.size());
     parallel_parts(options_.threads, vertices.size(), vertices.size() / kAtOnce + 1,
@@ -109,7 +110,7 @@ class PowerCells {
   }
 
   // The cell in a box, in the units of the balls.
-  PowerCell<D> in_box(VertexId vertex, const Box<D>& box, Room& room) const {
+  [[nodiscard]] PowerCell<D> in_box(VertexId vertex, const Box<D>& box, Room& room) const {
     PowerCell<D> cell;
     cell.row = sites_.row(vertex.row());
     if (!neighbours_.has_inside(vertex)) return cell;

@@ -229,7 +229,7 @@ TEST(PowerCells, BoxIsMovedOutByATenthOfTheLongestSide) {
 
 TEST(PowerCells, RefuseABoxWithoutAnInside) {
   const auto filtration = filtration_of<2>({0, 0, 6, 0});
-  for (const Box<2>& bad : {box<2>(1, 1), box<2>(1, 0), box<2>(0, INFINITY),
+  for (const Box<2>& bad : {box<2>(1, 1), box<2>(1, 0), box<2>(0, HUGE_VAL),
                             box<2>(std::nan(""), 1), box<2>(0, 1e300)}) {
     EXPECT_THROW((void)power_cells(filtration, bad, kOneThread), InputError);
   }
