@@ -108,6 +108,14 @@ std::string json_report(const Loaded& input, const Measured<D>& measured, std::s
   json["volume"] = number(balls.volume);
   json["area"] = number(balls.area);
   json["mean_curvature"] = D == 3 ? number(balls.mean_curvature) : Json();
+  json["molecular_surface"] = nullptr;
+  if (const auto& surface = measured.molecular_surface) {
+    json["molecular_surface"] = {{"volume", number(surface->volume)},
+                                 {"area", number(surface->area)},
+                                 {"convex_area", number(surface->convex_area)},
+                                 {"toroidal_area", number(surface->toroidal_area)},
+                                 {"concave_area", number(surface->concave_area)}};
+  }
   json["euler"] = balls.euler;
   json["betti"] = measured.betti;
   json["balls"] = {{"exposed", counts.exposed},
@@ -141,6 +149,14 @@ std::string text_report(const Loaded& input, const Measured<D>& measured) {
   text +=
       report_line(D == 3 ? "area" : "perimeter", number_text(balls.area) + unit(D == 3 ? "²" : ""));
   if (D == 3) text += report_line("mean curvature", number_text(balls.mean_curvature) + unit(""));
+  if (const auto& surface = measured.molecular_surface) {
+    text += report_line("molecular volume", number_text(surface->volume) + unit("³"));
+    text += report_line("molecular area", number_text(surface->area) + unit("²"));
+    text += report_line(
+        "  of it",
+        fmt::format("convex {}, toroidal {}, concave {}", number_text(surface->convex_area),
+                    number_text(surface->toroidal_area), number_text(surface->concave_area)));
+  }
   text += report_line("euler", fmt::format("{}", balls.euler));
   text += report_line("betti", betti_text(measured.betti));
   return text + voids_text(measured, input.unit());

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/balls.h"
+#include "orthoball/measures/molecular_surface.h"
 #include "orthoball/measures/union_of_balls.h"
 #include "orthoball/queries/voids.h"
 #include "orthoball/topology/betti.h"
@@ -35,6 +37,7 @@ struct Measured {
   orthoball::VoidsOf voids_of;
   std::vector<orthoball::Void<D>> voids;
   BallCounts counts;
+  std::optional<orthoball::MolecularSurface> molecular_surface;  ///< in space, of a probe above 0
 };
 
 /// @param missing  counts numbers beyond the double range, which are null.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/balls.h"
+#include "cli/named_outputs.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/measures/union_of_balls.h"
 

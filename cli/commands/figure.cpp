@@ -117,7 +117,8 @@ void add_figure_command(CLI::App& app) {
       ->type_name("FILE")
       ->group(output);
   command
-      ->add_option("--panels", options->panels, "which pictures stand side by side, in this order")
+      ->add_option("--panels", options->panels,
+                   "which pictures stand side by side, in this order\n")
       ->type_name("NAME[,NAME...]")
       ->capture_default_str()
       ->group(look);

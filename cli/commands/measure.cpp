@@ -146,13 +146,21 @@ Measured<D> measure(const MeasureOptions& options, const Loaded& input,
       {options.wants_contacts(), !options.derivatives.empty(), threads});
   const auto of =
       options.voids_of == "shape" ? orthoball::VoidsOf::shape : orthoball::VoidsOf::balls;
-  const BallCounts counts = ball_counts(input, filtration, balls);
-  return {{at, probe},
-          std::move(balls),
-          orthoball::betti_numbers<D>(filtration, at.index, threads),
-          of,
-          orthoball::voids<D>(filtration, at.index, at.alpha2, of, threads),
-          counts};
+  Measured<D> measured{{at, probe},
+                       std::move(balls),
+                       orthoball::betti_numbers<D>(filtration, at.index, threads),
+                       of,
+                       orthoball::voids<D>(filtration, at.index, at.alpha2, of, threads),
+                       {},
+                       {}};
+  measured.counts = ball_counts(input, filtration, measured.balls);
+  if constexpr (D == 3) {
+    if (probe.nearest > 0.0) {
+      measured.molecular_surface =
+          orthoball::molecular_surface(filtration, measured.balls, probe.nearest, threads);
+    }
+  }
+  return measured;
 }
 
 void run(const MeasureOptions& options) {
@@ -245,11 +253,12 @@ void add_measure_command(CLI::App& app) {
   add_output_options(*command, *options);
   add_input_options(*command, options->balls.input);
   command->footer(
-      "The balls at alpha2 have the squared radii (r + R)^2 + alpha2; imaginary ones are empty. "
-      "In\n"
-      "the plane volume is the area of the union, area its perimeter, and mean_curvature is null.\n"
-      "A ball's part is what its power cell holds of the union; parts add up to the whole. Balls\n"
-      "with no part of the surface are buried, those with no power cell hidden.\n\n"
+      "The balls at alpha2 have the squared radii (r + R)^2 + alpha2; imaginary ones are empty.\n"
+      "In the plane volume is the area of the union, area its perimeter, and mean_curvature is\n"
+      "null. A ball's part is what its power cell holds of the union; parts add up to the whole.\n"
+      "Balls with no part of the surface are buried, those with no power cell hidden.\n"
+      "With a probe, in space, volume and area are those that its centre goes around (solvent-\n"
+      "accessible); molecular (solvent-excluded) are those of what the probe never covers.\n\n"
       "Tables are JSON where FILE ends in .json, else CSV, with the columns below as keys. row,\n"
       "chain, residue and atom say who a ball is; points and files without names have rows alone.\n"
       "--per-atom: row, chain, residue, atom, element, radius [length] as measured, area\n"

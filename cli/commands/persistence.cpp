@@ -164,7 +164,7 @@ void add_output_options(CLI::App& command, PersistenceOptions& options) {
 void add_persistence_command(CLI::App& app) {
   auto options = std::make_shared<PersistenceOptions>();
   CLI::App* command = app.add_subcommand(
-      "persistence", "When each component, tunnel and void is born and dies, and what brings it.");
+      "persistence", "Births and deaths of components, tunnels and voids, with a diagram.");
   const std::string group = "Pairs";
   command->add_option("--homology-dimension", options->dimension, "classes of this dimension only")
       ->type_name("K")

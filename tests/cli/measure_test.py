@@ -45,7 +45,7 @@ class Numbers(Measure):
 
     def test_has_the_promised_keys(self):
         keys = ["input", "dimension", "alpha2", "alpha", "index", "probe", "volume", "area",
-                "mean_curvature", "euler", "betti", "balls", "voids_of", "void_count", "voids"]
+                "mean_curvature", "molecular_surface", "euler", "betti", "balls", "voids_of", "void_count", "voids"]
         for sample, dimension in [(C60, 3), (EIGHT, 2)]:
             report = self.measure(sample, "--probe", "0.08")
             self.assertEqual([key for key in keys if key not in report], [])
@@ -71,6 +71,22 @@ class Numbers(Measure):
         self.assertAlmostEqual(ball["radius"], least, places=9)
         self.assertLess(void["born"], 0)
         self.assertGreater(void["dies"], 0)
+
+    def test_a_probe_gives_the_molecular_surface(self):
+        # Two unit balls 2 apart, a probe of 1.5: its circle has the radius sqrt(2.5^2 - 1).
+        balls = self.balls("0 0 0 1\n2 0 0 1\n", "two.xyzr")
+        surface = self.measure(balls, "--probe", "1.5")["molecular_surface"]
+        circle, turn = math.sqrt(2.5 ** 2 - 1), math.atan2(1, math.sqrt(2.5 ** 2 - 1))
+        toroidal = 4 * math.pi * 1.5 * (circle * turn - 1.5 / 2.5)
+        self.assertAlmostEqual(surface["toroidal_area"], toroidal, places=12)
+        self.assertAlmostEqual(surface["convex_area"], 4 * math.pi * (1 + 1 / 2.5), places=12)
+        self.assertEqual(surface["concave_area"], 0)
+        self.assertAlmostEqual(surface["area"],
+                               surface["toroidal_area"] + surface["convex_area"], places=12)
+        text = self.done("measure", balls, "--probe", "1.5").stdout
+        self.assertIn(f"\nmolecular area   {surface['area']}\n", text)
+        self.assertIsNone(self.measure(balls)["molecular_surface"])
+        self.assertIsNone(self.measure(EIGHT, "--probe", "1")["molecular_surface"])
 
     def test_disks(self):
         report = self.measure(self.file("disks.csv", "x,y,r\n0,0,1\n1,0,1\n"), "--radius-column",
@@ -187,7 +203,7 @@ class Probe(Measure):
         for options in [[], ["--alpha2", "1.5"], ["--index", "15"]]:
             one = self.measure(C60, "--probe", "1.4", *options)
             other = self.measure(grown, *options)
-            for key in other.keys() - {"input", "probe"}:
+            for key in other.keys() - {"input", "probe", "molecular_surface"}:
                 self.assertEqual(one[key], other[key], key)
             self.assertEqual(one["input"]["decimals"], other["input"]["decimals"])
 

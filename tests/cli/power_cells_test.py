@@ -169,7 +169,7 @@ class Usage(Cells):
     def test_names_and_numbers_are_checked(self):
         two = self.two()
         for arguments, words in [
-                (["--cells", "a.ply"], "must end in .csv or .vtu or .obj"),
+                (["--cells", "a.ply"], "must end in .csv or .json or .vtu or .obj"),
                 (["--cells", "-", "-o", "report.txt"], "must end in"),
                 (["--cells-within", "balls"], "requires --cells"),
                 (["--cells-box", "0,0,0,1,1,1"], "requires --cells"),
