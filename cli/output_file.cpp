@@ -21,11 +21,17 @@ namespace {
 // What a signal must remove; null for nothing. Names are kept to the end, so that a signal that any
 // thread takes finds a whole one.
 std::atomic<const char*> unfinished = nullptr;
-static_assert(std::atomic<const char*>::is_always_lock_free);
+// Whether a file is being made whose name is not yet among them.
+std::atomic<bool> is_naming = false;
+static_assert(std::atomic<const char*>::is_always_lock_free &&
+              decltype(is_naming)::is_always_lock_free);
 
 // Only what POSIX allows in a handler. The signal, raised again, has its usual effect once this
-// returns: the handler was reset when it was called.
+// returns: the handler was reset when it was called. The thread that makes a file takes no signals
+// until its name is known, and another that takes one waits for that.
 extern "C" void remove_unfinished(int signal) {
+  while (is_naming) {
+  }
   if (const char* const name = unfinished.load()) unlink(name);
   raise(signal);
 }
@@ -68,9 +74,11 @@ std::string temporary_beside(const std::filesystem::path& path) {
       (path.parent_path() / ("." + path.filename().string() + ".XXXXXX")).string());
   // While mkstemp tries names, they may be those of others' files; no handler is to read them.
   const SignalsWait waiting;
+  is_naming = true;
   const int descriptor = mkstemp(name.data());
+  if (descriptor >= 0) unfinished = name.c_str();
+  is_naming = false;
   if (descriptor < 0) return {};
-  unfinished = name.c_str();
   close(descriptor);
   return name;
 }
