@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "orthoball/triangulation/conflict_region.h"
 #include "orthoball/triangulation/point_location.h"
 #include "orthoball/triangulation/territory.h"
+#include "orthoball/triangulation/territory_boxes.h"
 
 namespace orthoball {
 namespace {
@@ -68,27 +70,36 @@ class Insertion {
     std::vector<std::uint32_t> hints;  // see find_hints
   };
 
+  // Territories of fewer vertices would be mostly border.
+  static constexpr std::size_t kLeastVertices = 2048;
   // Sites that a thread must have to make up for its part of the postponed.
-  static constexpr std::size_t kLeastShare = 4096;
+  static constexpr std::size_t kLeastShare = 512;
   static constexpr std::size_t kHintStride = 16;
   static constexpr std::uint32_t kNoHint = std::numeric_limits<std::uint32_t>::max();
 
   void add_worker() { workers_.push_back(std::make_unique<Worker>(cells_, sites_)); }
 
   void insert_round(Numbers round) {
-    const auto count_for = [&](Numbers sites) -> std::size_t {
-      return A == 1 ? 1 : threads_.for_work(sites.size(), kLeastShare).count();
-    };
     std::vector<std::uint32_t> left;
-    if (const std::size_t count = count_for(round); count > 1) {
+    if (const std::size_t count = territories_for(round); count > 1) {
       left = insert_together(round, parts_of_curve(round, count));
-      // What is near the borders, with borders in other places.
-      for (int pass = 0; pass < D && count_for(left) > 1; ++pass) {
-        left = insert_together(left, slabs(left, count_for(left)));
-      }
+      round = left;
+    }
+    // What is near the borders, with borders in other places, as long as that makes it much less.
+    for (bool is_rewarding = true; is_rewarding && territories_for(round) > 1;) {
+      std::vector<std::uint32_t> rest = insert_together(round, boxes(round));
+      is_rewarding = 4 * rest.size() < 3 * left.size();
+      left = std::move(rest);
       round = left;
     }
     work_alone(round);
+  }
+
+  [[nodiscard]] std::size_t territories_for(Numbers sites) const {
+    if (A == 1) return 1;
+    return threads_.for_work(inserted_ + sites.size() / 2, kLeastVertices)
+        .for_work(sites.size(), kLeastShare)
+        .count();
   }
 
   // So many territories with equal numbers of the sites, by the numbers of the vertices.
@@ -105,31 +116,10 @@ class Insertion {
     return parts;
   }
 
-  // The same between planes across the axis along which the sites spread most.
-  [[nodiscard]] std::vector<Territory<A, D>> slabs(Numbers sites, std::size_t count) const {
-    constexpr std::size_t kSample = 4096;
-    std::vector<double> widest;
-    double largest = -1.0;
-    std::size_t axis = 0;
-    for (std::size_t a = 0; a < D; ++a) {
-      std::vector<double> x;
-      for (std::size_t i = 0; i < sites.size(); i += sites.size() / kSample + 1) {
-        x.push_back(sites_[sites[i]].x[a]);
-      }
-      std::sort(x.begin(), x.end());
-      const double middle_half = x[3 * x.size() / 4] - x[x.size() / 4];
-      if (middle_half <= largest) continue;
-      largest = middle_half;
-      axis = a;
-      widest = std::move(x);
-    }
-    const double far = std::numeric_limits<double>::infinity();
+  [[nodiscard]] std::vector<Territory<A, D>> boxes(Numbers sites) const {
     std::vector<Territory<A, D>> parts;
-    double low = -far;
-    for (std::size_t part = 1; part <= count; ++part) {
-      const double high = part == count ? far : widest[part * widest.size() / count];
-      parts.push_back(Territory<A, D>::of_slab(sites_, axis, low, high, cells_.infinity()));
-      low = high;
+    for (const Box<D>& box : territory_boxes<D>(sites_, sites, territories_for(sites))) {
+      parts.push_back(Territory<A, D>::of_box(sites_, box, cells_.infinity()));
     }
     return parts;
   }
@@ -139,28 +129,25 @@ class Insertion {
                                              const std::vector<Territory<A, D>>& territories) {
     while (workers_.size() < territories.size()) add_worker();
     std::vector<std::vector<std::uint32_t>> shares(territories.size());
-    std::vector<std::uint32_t> left;
-    for (const std::uint32_t site : sites) {
-      std::size_t part = 0;
-      while (!territories[part].has(site)) ++part;
-      shares[part].push_back(site);
-    }
+    const std::uint32_t start = workers_[0]->cell;
+    parallel_for(threads_, shares.size(), [&](std::size_t part) {
+      std::copy_if(sites.begin(), sites.end(), std::back_inserter(shares[part]),
+                   [&](std::uint32_t site) { return territories[part].has(site); });
+      find_hints(*workers_[part], shares[part], territories[part], start);
+    });
     for (std::size_t part = 0; part < shares.size(); ++part) {
       supply(*workers_[part], shares[part].size());
     }
-    const std::uint32_t start = workers_[0]->cell;
-    parallel_for(threads_, shares.size(), [&](std::size_t part) {
-      find_hints(*workers_[part], shares[part], territories[part], start);
-    });
     parallel_for(threads_, shares.size(),
                  [&](std::size_t part) { work(*workers_[part], shares[part], territories[part]); });
     if (cells_.is_dead(cells_[start])) workers_[0]->cell = any_cell();
+    std::vector<std::uint32_t> left;
     for (std::size_t part = 0; part < shares.size(); ++part) {
       std::vector<std::uint32_t>& postponed = workers_[part]->postponed;
       left.insert(left.end(), postponed.begin(), postponed.end());
       postponed.clear();
     }
-    std::sort(left.begin(), left.end());
+    if (!std::is_sorted(left.begin(), left.end())) std::sort(left.begin(), left.end());
     inserted_ += sites.size() - left.size();
     return left;
   }

@@ -1,12 +1,36 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 
 #include "orthoball/exact/sites.h"
 
 namespace orthoball {
+
+/// The points with low <= x < high on every axis.
+template <int D>
+struct Box {
+  std::array<double, std::size_t{D}> low;   ///< [axis]
+  std::array<double, std::size_t{D}> high;  ///< [axis]
+
+  /// All points.
+  [[nodiscard]] static Box whole() {
+    Box box{};
+    box.low.fill(-std::numeric_limits<double>::infinity());
+    box.high.fill(std::numeric_limits<double>::infinity());
+    return box;
+  }
+  /// Whether a site is in it.
+  [[nodiscard]] bool has(const Site<D>& site) const {
+    bool all = true;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      all &= (low[axis] <= site.x[axis]) & (site.x[axis] < high[axis]);
+    }
+    return all;
+  }
+};
 
 /// A set of vertices; a thread changes only cells that have all their corners in its own, disjoint
 /// from those of others. The vertex at infinity is in all territories of a triangulation of
@@ -31,15 +55,13 @@ class Territory {
     result.infinity_ = infinity;
     return result;
   }
-  /// The vertices with a coordinate in [low, high). Keeps a reference.
-  [[nodiscard]] static Territory of_slab(const Sites<D>& sites, std::size_t axis, double low,
-                                         double high, std::uint32_t infinity) {
+  /// The vertices in a box. Keeps a reference to the sites.
+  [[nodiscard]] static Territory of_box(const Sites<D>& sites, const Box<D>& box,
+                                        std::uint32_t infinity) {
     Territory result;
-    result.kind_ = Kind::slab;
+    result.kind_ = Kind::box;
     result.sites_ = &sites;
-    result.axis_ = axis;
-    result.low_ = low;
-    result.high_ = high;
+    result.box_ = box;
     result.infinity_ = infinity;
     return result;
   }
@@ -49,20 +71,18 @@ class Territory {
     if (vertex == infinity_) return A == 3;
     if (kind_ == Kind::numbers) return vertex - begin_ < size_;
     if (kind_ == Kind::whole) return true;
-    const double x = (*sites_)[vertex].x[axis_];
-    return low_ <= x && x < high_;
+    return box_.has((*sites_)[vertex]);
   }
 
  private:
-  enum class Kind { whole, numbers, slab };
+  enum class Kind { whole, numbers, box };
   Territory() = default;
 
   Kind kind_ = Kind::whole;
   std::uint32_t begin_ = 0, size_ = 0;
   std::uint32_t infinity_ = std::numeric_limits<std::uint32_t>::max();
   const Sites<D>* sites_ = nullptr;
-  std::size_t axis_ = 0;
-  double low_ = 0.0, high_ = 0.0;
+  Box<D> box_{};
 };
 
 }  // namespace orthoball

@@ -105,10 +105,10 @@ TEST(Territory, OfManyTheVertexAtInfinityIsInAllOfTetrahedraAndInNoneOfTriangles
   const Sites<2> flat(points_of(PointFamily::uniform, 2, 2, 1), {SiteId(0), SiteId(1)});
   EXPECT_TRUE((Territory<3, 3>::of_numbers(0, 1, 2).has(2)));
   EXPECT_FALSE((Territory<2, 2>::of_numbers(0, 2, 2).has(2)));
-  EXPECT_TRUE((Territory<3, 3>::of_slab(sites, 0, 5.0, 6.0, 2).has(2)));
-  EXPECT_FALSE((Territory<2, 2>::of_slab(flat, 0, -1.0, 1.0, 2).has(2)));
+  EXPECT_TRUE((Territory<3, 3>::of_box(sites, Box<3>{}, 2).has(2)));
+  EXPECT_FALSE((Territory<2, 2>::of_box(flat, Box<2>::whole(), 2).has(2)));
   EXPECT_FALSE((Territory<2, 3>::of_numbers(0, 2, 2).has(2)));
-  EXPECT_FALSE((Territory<2, 3>::of_slab(sites, 0, -1.0, 1.0, 2).has(2)));
+  EXPECT_FALSE((Territory<2, 3>::of_box(sites, Box<3>::whole(), 2).has(2)));
   EXPECT_TRUE((Territory<2, 2>::whole().has(2)));
 }
 
@@ -116,8 +116,11 @@ TEST(Territory, HasWhatIsBetweenItsBorders) {
   const WeightedPoints points(3, {0, 5, 0, 1, 6, 0, 2, 7, 0}, WeightKind::none, {});
   const Sites<3> sites(points, {SiteId(0), SiteId(1), SiteId(2)});
   const auto part = Territory<3, 3>::of_numbers(1, 2, 3);
-  const auto slab = Territory<3, 3>::of_slab(sites, 1, 5.5, 7.0, 3);
-  for (const auto& territory : {part, slab}) {
+  Box<3> between = Box<3>::whole();
+  between.low[1] = 5.5;
+  between.high[1] = 7.0;
+  const auto box = Territory<3, 3>::of_box(sites, between, 3);
+  for (const auto& territory : {part, box}) {
     EXPECT_FALSE(territory.has(0));
     EXPECT_TRUE(territory.has(1));
     EXPECT_FALSE(territory.has(2));
