@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -19,41 +20,13 @@
 #include "orthoball/exact/orthoradius.h"
 #include "orthoball/filtration/affine_dimension.h"
 #include "orthoball/filtration/bit_run.h"
-#include "orthoball/filtration/edge_ring.h"
+#include "orthoball/filtration/class_writer.h"
+#include "orthoball/filtration/crowded_bucket.h"
 #include "orthoball/filtration/label_buckets.h"
+#include "orthoball/filtration/simplex_reader.h"
 
 namespace orthoball {
 namespace {
-
-template <int A>
-using Cells = std::span<const CellRecord<A>>;
-
-// The corners of a simplex of dimension K by number, in any order.
-template <int D, int A>
-struct SimplexReader {
-  Cells<A> cells;
-  const SimplexTable<D>& table;
-
-  template <int K>
-  [[nodiscard]] CornerSites<std::size_t{K} + 1> corners(std::uint32_t number) const {
-    CornerSites<std::size_t{K} + 1> result;
-    if constexpr (K == 0) {
-      result[0] = number;
-    } else if constexpr (K == A) {
-      result = cells[number].corners;
-    } else if constexpr (K == A - 1) {
-      const std::uint32_t owner = table.facet_owners()[number];
-      for (unsigned i = 0; i <= K; ++i) {
-        result[i] = cells[owner / 4].corners[i + (i >= owner % 4 ? 1 : 0)];
-      }
-    } else {
-      const std::uint32_t owner = table.edge_owners()[number];
-      const auto [i, j] = kEdgeCorners[owner % 6];
-      result = {cells[owner / 6].corners[i], cells[owner / 6].corners[j]};
-    }
-    return result;
-  }
-};
 
 template <int D, int A>
 class Ranking {
@@ -79,7 +52,10 @@ class Ranking {
     std::vector<LabelList> lists(list_count, LabelList(rule, pool));
     deal_labels(lists);
     std::vector<Group> groups = groups_of(lists, rule.bucket_count());
-    parallel_for(threads_, groups.size(), [&](std::size_t i) { rank(lists, rule, groups[i]); });
+    parallel_for(threads_, groups.size(), [&](std::size_t i) {
+      if (!groups[i].is_crowded) rank(lists, rule, groups[i]);
+    });
+    rank_crowded(lists, groups);
     close_gaps(groups);
     result_.starts = RankedBits(std::move(starts_));
     return std::move(result_);
@@ -90,6 +66,7 @@ class Ranking {
   // More parts would leave more of the last chunks of their lists empty than fill the others.
   static constexpr std::size_t kMostParts = 12;
   static constexpr std::size_t kLeastPart = std::size_t{1} << 18U;
+  static constexpr std::size_t kCrowd = std::size_t{1} << 17U;  // numbers of a bucket
   using Rows = std::span<std::uint32_t>;
   using ConstRows = std::span<const std::uint32_t>;
 
@@ -99,8 +76,12 @@ class Ranking {
     std::size_t end_bucket;
     std::size_t begin;        // of its simplices in the order, and of its part of the spectrum
     std::size_t classes = 0;  // in that part, and then nothing up to the next
+    bool is_crowded = false;  // one bucket, or a part of it, that many threads rank
   };
-  class ClassWriter;
+  [[nodiscard]] ClassWriter writer_of(const Group& group) {
+    return {order_.subspan(group.begin), std::span(result_.spectrum).subspan(group.begin), starts_,
+            group.begin};
+  }
 
   void rank_vertices();
   [[nodiscard]] std::vector<double> sample_of_labels() const;
@@ -110,8 +91,11 @@ class Ranking {
   [[nodiscard]] std::vector<Group> groups_of(const std::vector<LabelList>& lists,
                                              std::size_t buckets) const;
   void rank(const std::vector<LabelList>& lists, const BucketRule& rule, Group& group);
+  void rank_crowded(const std::vector<LabelList>& lists, std::vector<Group>& groups);
+  void rank_one_key(ClassWriter& classes, Rows simplices, double label) const;
+  void rank_runs(ClassWriter& classes, std::span<const std::uint64_t> keys, Rows simplices) const;
   void rank_run(ClassWriter& classes, Rows simplices, double label) const;
-  [[nodiscard]] bool is_one_class(ConstRows simplices) const;
+  [[nodiscard]] bool is_one_class(std::uint32_t first, ConstRows others) const;
   void rank_exactly(ClassWriter& classes, Rows simplices, double label) const;
   void close_gaps(const std::vector<Group>& groups);
   [[nodiscard]] FewOf<std::uint32_t, D> corners(std::uint32_t simplex) const;
@@ -160,7 +144,8 @@ void Ranking<D, A>::deal_labels(LabelList& list, std::uint32_t begin, std::uint3
 template <int D, int A>
 void Ranking<D, A>::deal_labels(std::vector<LabelList>& lists) const {
   const std::size_t parts = lists.size() / kLists;
-  parallel_for(threads_, lists.size(), [&](std::size_t i) {
+  parallel_for(threads_, lists.size(), [&](std::size_t task) {
+    const std::size_t i = lists.size() - 1 - task;  // cells take the longest
     const auto deal = [&]<int K>() {
       if (i / parts != K || (K == 0 && sites_.is_unweighted())) return;
       const std::size_t part = i % parts;
@@ -220,33 +205,6 @@ FewOf<std::uint32_t, D> Ranking<D, A>::corners(std::uint32_t simplex) const {
 
 // --- classes -----------------------------------------------------------------------------------
 
-// Takes the classes of a group, ascending.
-template <int D, int A>
-class Ranking<D, A>::ClassWriter {
- public:
-  ClassWriter(Ranking& ranking, const Group& group)
-      : order_(ranking.order_.data() + group.begin),
-        spectrum_(ranking.result_.spectrum.data() + group.begin),
-        starts_(ranking.starts_.data(), group.begin) {}
-
-  // Simplices of one value.
-  void add(ConstRows simplices, double label) {
-    spectrum_[classes_++] = label + 0.0;  // a negative value that rounds to -0 reads 0
-    bool is_first = true;
-    for (const std::uint32_t simplex : simplices) {
-      *order_++ = SimplexId(simplex);
-      starts_.push(std::exchange(is_first, false));
-    }
-  }
-  [[nodiscard]] std::size_t classes() const { return classes_; }
-
- private:
-  SimplexId* order_;
-  double* spectrum_;
-  BitRun starts_;
-  std::size_t classes_ = 0;
-};
-
 // All have the value of their weights, and all others have greater ones.
 template <int D, int A>
 void Ranking<D, A>::rank_vertices() {
@@ -256,7 +214,7 @@ void Ranking<D, A>::rank_vertices() {
   double label = 0.0;
   const CornerSites<1> vertex{0};
   squared_orthoradii<D, 1>(sites_, {&vertex, 1}, {&label, 1});
-  ClassWriter(*this, Group{}).add(vertices, label);
+  writer_of(Group{}).add(vertices, label);
 }
 
 // Where each bucket's simplices begin follows from how many are in those before.
@@ -266,12 +224,16 @@ std::vector<typename Ranking<D, A>::Group> Ranking<D, A>::groups_of(
   constexpr std::size_t kBuckets = 8;
   std::vector<Group> groups;
   std::size_t begin = sites_.is_unweighted() ? count(0) : 0;
-  for (std::size_t bucket = 0; bucket < buckets; bucket += kBuckets) {
-    const std::size_t end = std::min(bucket + kBuckets, buckets);
-    groups.push_back({bucket, end, begin});
-    for (std::size_t b = bucket; b < end; ++b) {
-      for (const LabelList& list : lists) begin += list.size(b);
+  for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
+    std::size_t size = 0;
+    for (const LabelList& list : lists) size += list.size(bucket);
+    const bool is_crowded = size > kCrowd;
+    if (groups.empty() || is_crowded || groups.back().is_crowded ||
+        bucket - groups.back().first_bucket == kBuckets) {
+      groups.push_back({bucket, bucket, begin, 0, is_crowded});
     }
+    groups.back().end_bucket = bucket + 1;
+    begin += size;
   }
   return groups;
 }
@@ -280,19 +242,61 @@ template <int D, int A>
 void Ranking<D, A>::rank(const std::vector<LabelList>& lists, const BucketRule& rule,
                          Group& group) {
   BucketSorter sorter(rule);
-  ClassWriter classes(*this, group);
+  ClassWriter classes = writer_of(group);
   for (std::size_t bucket = group.first_bucket; bucket < group.end_bucket; ++bucket) {
     sorter.sort(lists, bucket);
-    const auto keys = sorter.keys();
-    for (std::size_t begin = 0; begin < keys.size();) {
-      std::size_t end = begin + 1;
-      // -0 stands for negative values too small for a double, less than what 0 stands for.
-      while (end < keys.size() && keys[end] == keys[begin]) ++end;
-      rank_run(classes, sorter.rows().subspan(begin, end - begin), number_of_key(keys[begin]));
-      begin = end;
-    }
+    rank_runs(classes, sorter.keys(), sorter.rows());
   }
   group.classes = classes.classes();
+}
+
+// Of sorted keys.
+template <int D, int A>
+inline void Ranking<D, A>::rank_runs(ClassWriter& classes, std::span<const std::uint64_t> keys,
+                                     Rows simplices) const {
+  for (std::size_t begin = 0; begin < keys.size();) {
+    std::size_t end = begin + 1;
+    // -0 stands for negative values too small for a double, less than what 0 stands for.
+    while (end < keys.size() && keys[end] == keys[begin]) ++end;
+    rank_run(classes, simplices.subspan(begin, end - begin), number_of_key(keys[begin]));
+    begin = end;
+  }
+}
+
+// One crowded bucket after the other, by all threads; each part of it becomes a group.
+template <int D, int A>
+void Ranking<D, A>::rank_crowded(const std::vector<LabelList>& lists, std::vector<Group>& groups) {
+  std::vector<Group> all;
+  for (const Group& group : groups) {
+    if (!group.is_crowded) {
+      all.push_back(group);
+      continue;
+    }
+    CrowdedBucket bucket(lists, group.first_bucket, threads_);
+    const std::size_t first = all.size();
+    for (const CrowdedBucket::Part& part : bucket.parts()) {
+      all.push_back({group.first_bucket, group.end_bucket, group.begin + part.begin, 0, true});
+    }
+    const auto rank_part = [&](std::size_t i, const auto& rank) {
+      ClassWriter classes = writer_of(all[first + i]);
+      rank(classes, bucket.parts()[i]);
+      all[first + i].classes = classes.classes();
+    };
+    parallel_for(threads_, bucket.parts().size(), [&](std::size_t i) {
+      if (bucket.parts()[i].one_key) return;
+      rank_part(i, [&](ClassWriter& classes, const CrowdedBucket::Part& part) {
+        KeySorter().sort(bucket.keys(part), bucket.rows(part));
+        rank_runs(classes, bucket.keys(part), bucket.rows(part));
+      });
+    });
+    for (std::size_t i = 0; i < bucket.parts().size(); ++i) {
+      if (!bucket.parts()[i].one_key) continue;
+      rank_part(i, [&](ClassWriter& classes, const CrowdedBucket::Part& part) {
+        rank_one_key(classes, bucket.rows(part), number_of_key(*part.one_key));
+      });
+    }
+  }
+  groups = std::move(all);
 }
 
 // Ranks simplices with one label. Most runs of more than one are one class, which takes one pass.
@@ -300,7 +304,9 @@ void Ranking<D, A>::rank(const std::vector<LabelList>& lists, const BucketRule& 
 // values that share a label, as of cells that nearly share a sphere, few are compared in integers.
 template <int D, int A>
 inline void Ranking<D, A>::rank_run(ClassWriter& classes, Rows simplices, double label) const {
-  if (simplices.size() == 1 || is_one_class(simplices)) return classes.add(simplices, label);
+  if (simplices.size() == 1 || is_one_class(simplices[0], simplices.subspan(1))) {
+    return classes.add(simplices, label);
+  }
   struct Bounded {
     Bounds remainder;
     std::uint32_t simplex;
@@ -326,11 +332,27 @@ inline void Ranking<D, A>::rank_run(ClassWriter& classes, Rows simplices, double
   }
 }
 
+// The same by all threads where that is one class.
 template <int D, int A>
-bool Ranking<D, A>::is_one_class(ConstRows simplices) const {
-  const auto first = corners(simplices[0]);
-  const OrthoradiusPivot<D> pivot(sites_, {first.begin(), first.size()});
-  return std::all_of(simplices.begin() + 1, simplices.end(), [&](std::uint32_t simplex) {
+void Ranking<D, A>::rank_one_key(ClassWriter& classes, Rows simplices, double label) const {
+  constexpr std::size_t kPart = std::size_t{1} << 14U;
+  const std::size_t parts = simplices.size() / kPart + 1;
+  std::atomic<bool> is_one = true;
+  parallel_parts(threads_, simplices.size(), parts,
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   if (begin == end || !is_one.load(std::memory_order_relaxed)) return;
+                   if (is_one_class(simplices[0], simplices.subspan(begin, end - begin))) return;
+                   is_one.store(false, std::memory_order_relaxed);
+                 });
+  if (!is_one.load(std::memory_order_relaxed)) return rank_run(classes, simplices, label);
+  classes.add_last(simplices, label, threads_);
+}
+
+template <int D, int A>
+bool Ranking<D, A>::is_one_class(std::uint32_t first, ConstRows others) const {
+  const auto of_first = corners(first);
+  const OrthoradiusPivot<D> pivot(sites_, {of_first.begin(), of_first.size()});
+  return std::all_of(others.begin(), others.end(), [&](std::uint32_t simplex) {
     const auto mine = corners(simplex);
     return pivot.compare({mine.begin(), mine.size()}) == Sign::zero;
   });
