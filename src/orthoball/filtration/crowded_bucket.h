@@ -18,6 +18,7 @@ namespace orthoball {
 /// a part of its own.
 class CrowdedBucket {
  public:
+  /// Numbers that follow each other.
   struct Part {
     std::size_t begin, end;                ///< of its numbers
     std::optional<std::uint64_t> one_key;  ///< what all have, if that is known

@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "orthoball/parallel.h"
 #include "orthoball/raw_vector.h"
 
 namespace orthoball {
@@ -29,14 +31,34 @@ class IndexCounts {
   ///                  order each of the two times it is called.
   template <class ForEach>
   IndexCounts(std::uint32_t largest, const ForEach& for_each)
+      : IndexCounts(largest, 1, Threads(1),
+                    [&](std::size_t, const auto& visit) { for_each(visit); }) {}
+  /// The same of a list in parts: for_each(part, visit) for the elements of a part, from several
+  /// threads at once.
+  template <class ForEach>
+  IndexCounts(std::uint32_t largest, std::size_t parts, Threads threads, const ForEach& for_each)
       : begins_((largest >> kIndexStretchBits) + 2, 0) {
-    for_each([&](std::uint32_t index) { ++begins_[(index >> kIndexStretchBits) + 1]; });
-    for (std::size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
-    lower_bits_.resize(begins_.back());
-    std::vector<std::uint32_t> next = begins_;
-    for_each([&](std::uint32_t index) {
-      lower_bits_[next[index >> kIndexStretchBits]++] =
-          static_cast<std::uint16_t>(index & (kIndexStretch - 1));
+    // [part][stretch]: how many, then where the next goes.
+    std::vector<std::vector<std::uint32_t>> next(parts);
+    parallel_for(threads, parts, [&](std::size_t part) {
+      next[part].assign(begins_.size() - 1, 0);
+      std::uint32_t* const counts = next[part].data();
+      for_each(part, [&](std::uint32_t index) { ++counts[index >> kIndexStretchBits]; });
+    });
+    std::uint32_t sum = 0;
+    for (std::size_t stretch = 0; stretch + 1 < begins_.size(); ++stretch) {
+      begins_[stretch] = sum;
+      for (auto& of_part : next) sum += std::exchange(of_part[stretch], sum);
+    }
+    begins_.back() = sum;
+    lower_bits_.resize(sum);
+    parallel_for(threads, parts, [&](std::size_t part) {
+      std::uint32_t* const places = next[part].data();
+      std::uint16_t* const lower_bits = lower_bits_.data();
+      for_each(part, [&](std::uint32_t index) {
+        lower_bits[places[index >> kIndexStretchBits]++] =
+            static_cast<std::uint16_t>(index & (kIndexStretch - 1));
+      });
     });
   }
 
@@ -67,5 +89,16 @@ class IndexCounts {
   std::vector<std::uint32_t> counts_;    // [lower bits], of the stretch before end_
   std::uint64_t end_ = 0;                // of the indices counted
 };
+
+/// Those of an array, in parts by several threads: get(i) for 0..size - 1.
+template <class Get>
+[[nodiscard]] IndexCounts index_counts(std::uint32_t largest, std::size_t size, Threads threads,
+                                       const Get& get) {
+  const std::size_t parts = threads.count();
+  return {largest, parts, threads, [&](std::size_t part, const auto& visit) {
+            const std::size_t end = size * (part + 1) / parts;
+            for (std::size_t i = size * part / parts; i < end; ++i) visit(get(i));
+          }};
+}
 
 }  // namespace orthoball

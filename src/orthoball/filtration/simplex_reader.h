@@ -14,7 +14,7 @@ namespace orthoball {
 /// The corners of simplices of a triangulation of A-dimensional cells.
 template <int D, int A>
 struct SimplexReader {
-  std::span<const CellRecord<A>> cells;
+  std::span<const CellRecord<A>> cells;  ///< of the triangulation
   const SimplexTable<D>& table;
 
   /// Of a simplex of dimension K by its number among these, in any order.

@@ -147,7 +147,9 @@ std::vector<NotableAlpha> notable_alphas(const Filtration<D>& filtration) {
     BettiScan<D> betti_scan(filtration);
     RoleCounts<D> roles(filtration);
     std::array<RoleChangeCounts<D>, std::size_t{D} - 1> lower;  // below the facets
-    for (std::size_t k = 0; k < lower.size(); ++k) lower[k] = {filtration, static_cast<int>(k)};
+    for (std::size_t k = 0; k < lower.size(); ++k) {
+      lower[k] = {filtration, static_cast<int>(k), Threads(1)};
+    }
     IndexCounts facets = interior_facets(filtration);
     while (betti_scan.next()) {
       const std::uint32_t index = betti_scan.index();

@@ -4,19 +4,16 @@
 namespace orthoball {
 
 template <int D>
-RoleChangeCounts<D>::RoleChangeCounts(const Filtration<D>& filtration, int dimension) {
+RoleChangeCounts<D>::RoleChangeCounts(const Filtration<D>& filtration, int dimension,
+                                      Threads threads) {
   const std::uint32_t first = filtration.table().first(dimension);
-  const auto count = static_cast<std::uint32_t>(filtration.count(dimension));
-  regular = {filtration.never(), [&](const auto& visit) {
-               for (std::uint32_t i = 0; i < count; ++i) {
-                 visit(filtration.regular(SimplexId(first + i)));
-               }
-             }};
-  interior = {filtration.never(), [&](const auto& visit) {
-                for (std::uint32_t i = 0; i < count; ++i) {
-                  visit(filtration.interior(SimplexId(first + i)));
-                }
-              }};
+  const auto counts = [&](const auto& index) {
+    return index_counts(
+        filtration.never(), filtration.count(dimension), threads,
+        [&](std::size_t i) { return index(SimplexId(first + static_cast<std::uint32_t>(i))); });
+  };
+  regular = counts([&](SimplexId simplex) { return filtration.regular(simplex); });
+  interior = counts([&](SimplexId simplex) { return filtration.interior(simplex); });
 }
 
 template struct RoleChangeCounts<2>;

@@ -77,7 +77,7 @@ class RoleCounts {
 template <int D>
 struct RoleChangeCounts {
   RoleChangeCounts() = default;
-  RoleChangeCounts(const Filtration<D>& filtration, int dimension);
+  RoleChangeCounts(const Filtration<D>& filtration, int dimension, Threads threads);
 
   IndexCounts regular, interior;
 };

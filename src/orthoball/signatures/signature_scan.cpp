@@ -19,28 +19,13 @@ SignatureScan<D>::SignatureScan(const Filtration<D>& filtration, Threads threads
       roles_(filtration, threads),
       measures_(filtration, roles_, threads),
       end_{RoleCounts<D>(filtration)} {
-  // The longest first.
-  parallel_for(threads, 3 + lower_.size(), [&](std::size_t task) {
-    if (task == 0) {
-      voids_ = void_counts(filtration, roles_);
-      return;
-    }
-    if (task == 1) {
-      joining_ = joining_counts(filtration);
-      return;
-    }
-    if (task < 2 + lower_.size()) {
-      const std::size_t k = lower_.size() + 1 - task;
-      lower_[k] = {filtration, static_cast<int>(k)};
-      return;
-    }
-    vertices_ = {
-        filtration.spectrum_size(), [&](const auto& visit) {
-          for (const std::uint32_t index : filtration.enters().first(filtration.count(0))) {
-            visit(index);
-          }
-        }};
-  });
+  voids_ = void_counts(filtration, roles_, threads);
+  joining_ = joining_counts(filtration, threads);
+  for (std::size_t k = 0; k < lower_.size(); ++k) {
+    lower_[k] = {filtration, static_cast<int>(k), threads};
+  }
+  vertices_ = index_counts(filtration.spectrum_size(), filtration.count(0), threads,
+                           [&](std::size_t i) { return filtration.enters()[i]; });
 }
 
 template <int D>

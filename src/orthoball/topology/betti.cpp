@@ -75,27 +75,31 @@ class Voids {
         first_triangle_(filtration.table().first(2)),
         roles_(roles.of_cells()) {}
 
-  // Calls end(cell) for the cells at which trees end, and mark(triangle) for the triangles that
-  // join trees, by number within their dimension. Every other cell is joined by its own triangle,
-  // which enters at the same index, and mark_own(cell, corner) is called.
+  // Calls end(part, cell) for the cells at which trees end, and mark(part, triangle) for the
+  // triangles that join trees, by number within their dimension. Every other cell is joined by its
+  // own triangle, which enters at the same index, and mark_own(cell, corner) is called. All that
+  // from several threads at once, with as many parts as there are threads.
   template <class Mark, class MarkOwn, class End>
-  void build(const Mark& mark, const MarkOwn& mark_own, const End& end) const {
+  void build(Threads threads, const Mark& mark, const MarkOwn& mark_own, const End& end) const {
     RawVector<std::uint32_t> tree(cells_.size() + 1);
-    for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
-      const std::uint32_t corner = own_triangle(cell);
-      tree[cell] = is_end(cell, corner) ? cell : beyond(cell, corner);
-      tree[cell] == cell ? end(cell) : mark_own(cell, corner);
-    }
+    parallel_parts(threads, cells_.size(), threads.count(),
+                   [&](std::size_t part, std::size_t first, std::size_t behind) {
+                     for (auto cell = static_cast<std::uint32_t>(first); cell < behind; ++cell) {
+                       const std::uint32_t corner = own_triangle(cell);
+                       tree[cell] = is_end(cell, corner) ? cell : beyond(cell, corner);
+                       tree[cell] == cell ? end(part, cell) : mark_own(cell, corner);
+                     }
+                   });
     tree[outside()] = outside();
-    std::uint32_t tree_count = number_roots(tree);
+    std::uint32_t tree_count = number_roots(tree, threads);
     const auto triangle_count = static_cast<std::uint32_t>(owners_.size());
-    const auto joint = [&](std::uint32_t i) -> Joint {
+    const auto joint = [&tree, voids = *this, triangle_count](std::uint32_t i) -> Joint {
       const std::uint32_t triangle = triangle_count - 1 - i;
-      const std::uint32_t owner = owners_[triangle];
-      return {tree[owner / 4], tree[beyond(owner / 4, owner % 4)],
-              ~enters_[first_triangle_ + triangle], triangle};
+      const std::uint32_t owner = voids.owners_[triangle];
+      return {tree[owner / 4], tree[voids.beyond(owner / 4, owner % 4)],
+              ~voids.enters_[voids.first_triangle_ + triangle], triangle};
     };
-    join(joints_of(triangle_count, joint), tree_count, mark);
+    join(joints_of(triangle_count, threads, joint), tree_count, threads, mark);
   }
 
  private:
@@ -147,76 +151,79 @@ CycleMarks<D>::CycleMarks(const Filtration<D>& filtration)
       forests_(filtration.size() / 64 + 1, 0) {
   const auto mark = [&](std::uint32_t row) { forests_[row / 64] |= std::uint64_t{1} << row % 64; };
   if (filtration.count(1) > 0) {
-    mark_spanning_forest(Components<D>{filtration},
-                         [&](std::uint32_t edge) { mark(first_edge_ + edge); });
+    mark_spanning_forest(Components<D>{filtration}, Threads(1),
+                         [&](std::size_t, std::uint32_t edge) { mark(first_edge_ + edge); });
   }
   if constexpr (D == 3) {
     if (filtration.count(3) == 0) return;
     const auto cells = filtration.triangulation().template cells<3>();
     Voids(filtration, FacetRoles<3>(filtration))
-        .build([&](std::uint32_t triangle) { mark(first_triangle_ + triangle); },
-               [&](std::uint32_t cell, unsigned corner) {
-                 mark(first_triangle_ +
-                      filtration.table().template facet_of_cell<3>(cells, cell, corner));
-               },
-               [](std::uint32_t) {});
+        .build(
+            Threads(1),
+            [&](std::size_t, std::uint32_t triangle) { mark(first_triangle_ + triangle); },
+            [&](std::uint32_t cell, unsigned corner) {
+              mark(first_triangle_ +
+                   filtration.table().template facet_of_cell<3>(cells, cell, corner));
+            },
+            [](std::size_t, std::uint32_t) {});
   }
 }
 
 namespace {
 
-using Indices = BlockVector<std::uint32_t>;
+// Indices that several threads have found, each in a part of its own, on lines of the cache of its
+// own.
+class IndexParts {
+ public:
+  explicit IndexParts(Threads threads) : parts_(threads.count()) {}
 
-// When edges join components.
-template <int D>
-Indices joining_indices(const Filtration<D>& filtration) {
-  Indices indices;
-  const std::uint32_t first = filtration.table().first(1);
-  if (filtration.count(1) == 0) return indices;
-  mark_spanning_forest(Components<D>{filtration}, [&](std::uint32_t edge) {
-    indices.push_back(filtration.enters(SimplexId(first + edge)));
-  });
-  return indices;
-}
+  void add(std::size_t part, std::uint32_t index) { parts_[part].indices.push_back(index); }
+  [[nodiscard]] IndexCounts counts(std::uint32_t largest, Threads threads) const {
+    return {largest, parts_.size(), threads, [&](std::size_t part, const auto& visit) {
+              for (const std::uint32_t index : parts_[part].indices) visit(index);
+            }};
+  }
 
-// When voids open and when they close.
-struct VoidIndices {
-  Indices opening, closing;
-};
-VoidIndices void_indices(const Filtration<3>& filtration, const FacetRoles<3>& roles) {
-  VoidIndices indices;
-  if (filtration.count(3) == 0) return indices;
-  const auto add = [&](int dimension, Indices& to) {
-    return [&filtration, &to, first = filtration.table().first(dimension)](std::uint32_t number) {
-      to.push_back(filtration.enters(SimplexId(first + number)));
-    };
+ private:
+  struct alignas(128) Part {
+    BlockVector<std::uint32_t> indices;
   };
-  Voids(filtration, roles)
-      .build(
-          add(2, indices.opening), [](std::uint32_t, std::uint32_t) {}, add(3, indices.closing));
-  return indices;
-}
-
-IndexCounts counted(std::uint32_t largest, std::span<const std::uint32_t> indices) {
-  return {largest, [&](const auto& visit) {
-            for (const std::uint32_t index : indices) visit(index);
-          }};
-}
+  std::vector<Part> parts_;
+};
 
 }  // namespace
 
+// When edges join components.
 template <int D>
-IndexCounts joining_counts(const Filtration<D>& filtration) {
-  return counted(filtration.spectrum_size(), joining_indices(filtration));
+IndexCounts joining_counts(const Filtration<D>& filtration, Threads threads) {
+  IndexParts joining(threads);
+  if (filtration.count(1) > 0) {
+    const auto enters = filtration.enters().subspan(filtration.table().first(1));
+    mark_spanning_forest(
+        Components<D>{filtration}, threads,
+        [&](std::size_t part, std::uint32_t edge) { joining.add(part, enters[edge]); });
+  }
+  return joining.counts(filtration.spectrum_size(), threads);
 }
 
 template <int D>
-VoidCounts void_counts(const Filtration<D>& filtration, const FacetRoles<D>& roles) {
+VoidCounts void_counts(const Filtration<D>& filtration, const FacetRoles<D>& roles,
+                       Threads threads) {
   VoidCounts counts;
   if constexpr (D == 3) {
-    const VoidIndices voids = void_indices(filtration, roles);
-    counts.opening = counted(filtration.spectrum_size(), voids.opening);
-    counts.closing = counted(filtration.spectrum_size(), voids.closing);
+    IndexParts opening(threads), closing(threads);
+    if (filtration.count(3) > 0) {
+      const auto add = [&](int dimension, IndexParts& to) {
+        const auto enters = filtration.enters().subspan(filtration.table().first(dimension));
+        return
+            [&to, enters](std::size_t part, std::uint32_t number) { to.add(part, enters[number]); };
+      };
+      Voids(filtration, roles)
+          .build(
+              threads, add(2, opening), [](std::uint32_t, std::uint32_t) {}, add(3, closing));
+    }
+    counts.opening = opening.counts(filtration.spectrum_size(), threads);
+    counts.closing = closing.counts(filtration.spectrum_size(), threads);
   }
   return counts;
 }
@@ -226,20 +233,14 @@ BettiScan<D>::BettiScan(const Filtration<D>& filtration, Threads threads)
     : last_(filtration.spectrum_size()) {
   threads = threads.for_work(filtration.size(), kLeastSimplices);
   const FacetRoles<D> roles(filtration, threads);
-  parallel_for(threads, 2 + enter_.size(), [&](std::size_t task) {
-    if (task == 0) {
-      void_counts_ = void_counts(filtration, roles);
-      return;
-    }
-    if (task == 1) {
-      joining_ = joining_counts(filtration);
-      return;
-    }
-    const int dimension = static_cast<int>(task) - 2;
-    const auto enters = filtration.enters().subspan(filtration.table().first(dimension),
-                                                    filtration.count(dimension));
-    enter_[task - 2] = counted(last_, enters);
-  });
+  void_counts_ = void_counts(filtration, roles, threads);
+  joining_ = joining_counts(filtration, threads);
+  for (std::size_t k = 0; k < enter_.size(); ++k) {
+    const int dimension = static_cast<int>(k);
+    const auto enters = filtration.enters().subspan(filtration.table().first(dimension));
+    enter_[k] = index_counts(last_, filtration.count(dimension), threads,
+                             [&](std::size_t i) { return enters[i]; });
+  }
 }
 
 template <int D>
@@ -329,10 +330,10 @@ BettiNumbers<D> betti_numbers(const Filtration<D>& filtration, std::uint32_t ind
 
 template class CycleMarks<2>;
 template class CycleMarks<3>;
-template IndexCounts joining_counts<2>(const Filtration<2>&);
-template IndexCounts joining_counts<3>(const Filtration<3>&);
-template VoidCounts void_counts<2>(const Filtration<2>&, const FacetRoles<2>&);
-template VoidCounts void_counts<3>(const Filtration<3>&, const FacetRoles<3>&);
+template IndexCounts joining_counts<2>(const Filtration<2>&, Threads);
+template IndexCounts joining_counts<3>(const Filtration<3>&, Threads);
+template VoidCounts void_counts<2>(const Filtration<2>&, const FacetRoles<2>&, Threads);
+template VoidCounts void_counts<3>(const Filtration<3>&, const FacetRoles<3>&, Threads);
 template class BettiScan<2>;
 template class BettiScan<3>;
 template BettiNumbers<2> betti_numbers<2>(const Filtration<2>&, std::uint32_t, Threads);

@@ -43,7 +43,7 @@ class CycleMarks {
 
 /// How many edges join two components at each index.
 template <int D>
-[[nodiscard]] IndexCounts joining_counts(const Filtration<D>& filtration);
+[[nodiscard]] IndexCounts joining_counts(const Filtration<D>& filtration, Threads threads);
 
 /// How many voids open and close at each index, but for those that are filled at the index at which
 /// they open. Two bytes for each: about 6 a site. None in the plane.
@@ -52,7 +52,8 @@ struct VoidCounts {
 };
 /// Those of a filtration. Most of what Betti numbers cost.
 template <int D>
-[[nodiscard]] VoidCounts void_counts(const Filtration<D>& filtration, const FacetRoles<D>& roles);
+[[nodiscard]] VoidCounts void_counts(const Filtration<D>& filtration, const FacetRoles<D>& roles,
+                                     Threads threads);
 
 /// The Betti numbers of a complex with `entered` simplices, of which so many edges have joined
 /// components, and with so many voids.
@@ -107,10 +108,10 @@ template <int D>
 
 extern template class CycleMarks<2>;  // defined in betti.cpp
 extern template class CycleMarks<3>;
-extern template IndexCounts joining_counts<2>(const Filtration<2>&);
-extern template IndexCounts joining_counts<3>(const Filtration<3>&);
-extern template VoidCounts void_counts<2>(const Filtration<2>&, const FacetRoles<2>&);
-extern template VoidCounts void_counts<3>(const Filtration<3>&, const FacetRoles<3>&);
+extern template IndexCounts joining_counts<2>(const Filtration<2>&, Threads);
+extern template IndexCounts joining_counts<3>(const Filtration<3>&, Threads);
+extern template VoidCounts void_counts<2>(const Filtration<2>&, const FacetRoles<2>&, Threads);
+extern template VoidCounts void_counts<3>(const Filtration<3>&, const FacetRoles<3>&, Threads);
 extern template class BettiScan<2>;
 extern template class BettiScan<3>;
 

@@ -35,9 +35,13 @@ struct Graph {
   [[nodiscard]] std::uint32_t light_weight() const { return light; }
 };
 
-std::vector<std::uint32_t> forest(const Graph& graph) {
+std::vector<std::uint32_t> forest(const Graph& graph, unsigned threads = 1) {
+  std::vector<std::vector<std::uint32_t>> of_parts(threads);
+  mark_spanning_forest(graph, Threads(threads), [&](std::size_t part, std::uint32_t edge) {
+    of_parts[part].push_back(edge);
+  });
   std::vector<std::uint32_t> marked;
-  mark_spanning_forest(graph, [&](std::uint32_t edge) { marked.push_back(edge); });
+  for (const auto& part : of_parts) marked.insert(marked.end(), part.begin(), part.end());
   std::sort(marked.begin(), marked.end());
   return marked;
 }
@@ -81,7 +85,21 @@ TEST(SpanningForest, IsThatOfTakingEdgesByWeight) {
       graph.edges.push_back({below(nodes), below(nodes), below(largest)});
     }
     ASSERT_EQ(forest(graph), forest_by_weight(graph)) << round;
+    ASSERT_EQ(forest(graph, 3), forest_by_weight(graph)) << round;
   }
+}
+
+TEST(SpanningForest, OfManyThreadsIsTheSame) {
+  std::mt19937 random(5);
+  const std::uint32_t nodes = 20000;
+  Graph graph{nodes, {}, 300};
+  for (std::uint32_t i = 0; i < 5 * nodes; ++i) {  // mostly between neighbours, with many ties
+    const auto a = static_cast<std::uint32_t>(random() % nodes);
+    const auto b = static_cast<std::uint32_t>((a + random() % 50) % nodes);
+    graph.edges.push_back({a, b, static_cast<std::uint32_t>(random() % 1000)});
+  }
+  const auto expected = forest_by_weight(graph);
+  for (const unsigned threads : {1U, 2U, 5U, 16U}) ASSERT_EQ(forest(graph, threads), expected);
 }
 
 }  // namespace
