@@ -16,11 +16,12 @@ void scan_signatures(const Filtration<D>& filtration,
   const LargeBlockReuse reuse;
   threads = threads.for_work(filtration.size(), kLeastSimplices);
   constexpr std::size_t kBlock = SignatureScan<D>::kBlock;
+  constexpr std::size_t kBlocksAtOnce = 256;
   SignatureScan<D> scan(filtration, threads);
   std::vector<Signature<D>> block(kBlock);
   while (scan.next()) {
-    // One thread writes each block while it is in the nearest cache.
-    const std::size_t at_once = threads.count() == 1 ? 1 : scan.block_count();
+    // So many blocks that they are in a cache still when they are visited.
+    const std::size_t at_once = threads.count() == 1 ? 1 : kBlocksAtOnce;
     if (block.size() < at_once * kBlock) block.resize(at_once * kBlock);
     for (std::size_t first = 0; first < scan.block_count(); first += at_once) {
       const std::size_t blocks = std::min(at_once, scan.block_count() - first);
