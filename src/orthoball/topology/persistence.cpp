@@ -130,10 +130,11 @@ void Pairing<D>::pair_components() {
   };
   std::vector<std::uint64_t> joining;
   if (edges.count() > 0) {
-    mark_spanning_forest(Graph{filtration_, edges}, [&](std::uint32_t edge) {
-      joins_[edge] = true;
-      joining.push_back(edges.key(edge));
-    });
+    mark_spanning_forest(Graph{filtration_, edges}, Threads(1),
+                         [&](std::size_t, std::uint32_t edge) {
+                           joins_[edge] = true;
+                           joining.push_back(edges.key(edge));
+                         });
   }
   std::sort(joining.begin(), joining.end());
   // [vertex]: numbered by their keys, so that the smallest of a set is its first.
@@ -197,7 +198,7 @@ void Pairing<D>::pair_cells() {
     }
   }
   tree[outside] = outside;
-  std::uint32_t tree_count = number_roots(tree);
+  std::uint32_t tree_count = number_roots(tree, Threads(1));
   // What is left is few: the facets that join trees, from the last on.
   std::vector<std::uint64_t> joining;
   const std::uint32_t facet_count = facets.count();
@@ -206,10 +207,11 @@ void Pairing<D>::pair_cells() {
     const std::uint32_t cell = owners[facet] / 4;
     return {tree[cell], tree[beyond(cell, owners[facet] % 4)], ~facets.enters(facet), facet};
   };
-  join(joints_of(facet_count, joint), tree_count, [&](std::uint32_t facet) {
-    cuts_[facet] = true;
-    joining.push_back(facets.key(facet));
-  });
+  join(joints_of(facet_count, Threads(1), joint), tree_count, Threads(1),
+       [&](std::size_t, std::uint32_t facet) {
+         cuts_[facet] = true;
+         joining.push_back(facets.key(facet));
+       });
   std::sort(joining.begin(), joining.end(), std::greater<>());
   // [tree]: numbered from the last root on; the outside is first.
   std::vector<std::uint64_t> keys{std::numeric_limits<std::uint64_t>::max()};

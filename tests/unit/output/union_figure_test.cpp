@@ -62,7 +62,7 @@ TEST(UnionFigure, HasWordsAround) {
   const std::string svg = figure(five_disks(), options);
   EXPECT_NE(svg.find("a &lt; b"), std::string::npos);
   EXPECT_NE(svg.find("5 disks, area"), std::string::npos);
-  EXPECT_NE(svg.find(" m, "), std::string::npos);
+  EXPECT_NE(svg.find("\u2009m, "), std::string::npos);
   EXPECT_NE(svg.find("(c) the dual complex"), std::string::npos);
   EXPECT_NE(svg.find("singular vertex"), std::string::npos);
   options.legend = false;
