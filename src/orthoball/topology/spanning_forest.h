@@ -99,14 +99,16 @@ inline std::uint32_t number_roots(RawVector<std::uint32_t>& nodes, Threads threa
     }
     if (part + 1 == parts) first[parts] = next;
   });
-  // Threads change what others follow, but only to what is nearer to the same root.
+  // A thread follows the nodes of others and shortens the ways of its own alone: one that shortened
+  // another's could put a parent where that one has just put the number.
   const auto at = [&](std::uint32_t node) { return std::atomic_ref(nodes[node]); };
   for_each_part(parts, [&](std::size_t, std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t node = begin; node < end; ++node) {
       std::uint32_t ancestor = node, parent = at(node).load(std::memory_order_relaxed);
       while ((parent & kIsNumber) == 0) {
         const std::uint32_t next = at(parent).load(std::memory_order_relaxed);
-        at(ancestor).store(next, std::memory_order_relaxed);  // a number, or the parent's parent
+        const bool is_own = ancestor - begin < end - begin;
+        if (is_own) at(ancestor).store(next, std::memory_order_relaxed);  // a number, or nearer
         ancestor = parent;
         parent = next;
       }
