@@ -39,6 +39,7 @@
 // output
 #include "orthoball/output/ball_tables.h"
 #include "orthoball/output/byte_sink.h"
+#include "orthoball/output/encoded_output.h"
 #include "orthoball/output/mesh.h"
 #include "orthoball/output/molecule.h"
 #include "orthoball/output/planar_shape.h"
@@ -46,6 +47,7 @@
 #include "orthoball/output/region_mesh.h"
 #include "orthoball/output/shape_mesh.h"
 #include "orthoball/output/signature_plot.h"
+#include "orthoball/output/snapshot.h"
 #include "orthoball/output/tables.h"
 #include "orthoball/output/void_table.h"
 // all of them, the dimension chosen at run time
