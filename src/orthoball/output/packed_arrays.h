@@ -27,8 +27,8 @@ enum class PackedType {
 /// An array is made when it is written, so that at most one of them is in memory.
 class PackedArrays {
  public:
-  using Numbers = RawVector<std::uint32_t>;
-  using Reals = RawVector<double>;
+  using Numbers = RawVector<std::uint32_t>;  ///< what is kept as u32
+  using Reals = RawVector<double>;           ///< what is kept as f64 or f32
 
   /// Whole numbers.
   /// @param length  of what `numbers` returns.
