@@ -29,7 +29,7 @@ help:
 	@echo 'make clean      remove build/ and out/'
 
 build:
-	./bootstrap build
+	./bootstrap build viewer
 	cmake --preset release
 	cmake --build --preset release --parallel $(JOBS)
 
@@ -38,10 +38,11 @@ demo: build
 	$(ORTHOBALL) summary $(SAMPLE)
 	$(ORTHOBALL) shape $(SAMPLE) --alpha2 auto -o out/surface.ply
 	$(ORTHOBALL) signatures $(SAMPLE) -o out/signatures.csv --plot out/signatures.svg
+	$(ORTHOBALL) view $(SAMPLE) -o out/viewer.html --no-open
 	@ls -l out
 
 test:
-	./bootstrap build test peers
+	./bootstrap build viewer test peers
 	cmake --preset test
 	cmake --build --preset test --parallel $(JOBS)
 	ctest --preset test --parallel $(JOBS)

@@ -11,3 +11,4 @@ void add_shape_command(CLI::App& app);
 void add_filter_command(CLI::App& app);
 void add_measure_command(CLI::App& app);
 void add_pockets_command(CLI::App& app);
+void add_view_command(CLI::App& app);

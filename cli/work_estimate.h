@@ -15,7 +15,8 @@ enum class Stage {
   signatures,
   measuring,
   writing_filter,
-  writing_shape
+  writing_shape,
+  writing_page
 };
 
 /// What it is called in messages: "triangulation", "writing".

@@ -1,0 +1,525 @@
+// SPDX-License-Identifier: MIT
+//
+// Draws a ShapeModel. The only file that knows three.js, which keeps the WebGL state, sends what has
+// changed of buffers and textures, and brings all back after a lost context.
+
+import * as three from 'three';
+
+import {
+  depthRange,
+  dot,
+  projectionMatrix,
+  rowsOf,
+  viewMatrix,
+  type Camera,
+  type Vector,
+} from './camera';
+import { kQuad, type SimplexList } from './complex_mesh';
+import { kRoleColours, kDimensionColours, type Colouring, type Rgb } from './palette';
+import {
+  kBallFragment,
+  kBallVertex,
+  kEdgeFragment,
+  kEdgeVertex,
+  kLineFragment,
+  kLineVertex,
+  kTriangleFragment,
+  kTriangleVertex,
+} from './shaders';
+import type { ShapeModel } from './shape_model';
+import { isShown, type State } from './state';
+import { kNone, type Role } from './types';
+
+const kTexelsAcross = 2048;
+
+/** WebGL 2 is not there. */
+export class NoWebGl extends Error {}
+
+/** What the last frame cost, and what was in it. */
+export interface FrameReport {
+  /** Sent to the graphics processor since the frame before. */
+  bytes: number;
+  drawCalls: number;
+  /** Until the commands were given; on a software renderer until all is drawn. */
+  milliseconds: number;
+  /** How many simplices are drawn, by layer. */
+  drawn: Record<string, number>;
+}
+
+type Uniforms = Record<string, three.IUniform>;
+type Data = Float32Array | Uint32Array | Uint8Array;
+
+/** A texture of `count` texels of four numbers each. */
+function tableTexture(data: Data, count: number): three.DataTexture {
+  const height = Math.max(1, Math.ceil(count / kTexelsAcross));
+  const all = new (data.constructor as new (length: number) => Data)(4 * kTexelsAcross * height);
+  all.set(data);
+  const isWhole = data instanceof Uint32Array;
+  const isBytes = data instanceof Uint8Array;
+  const texture = new three.DataTexture(
+    all as unknown as BufferSource & Data as never,
+    kTexelsAcross,
+    height,
+    isWhole ? three.RGBAIntegerFormat : three.RGBAFormat,
+    isWhole ? three.UnsignedIntType : isBytes ? three.UnsignedByteType : three.FloatType,
+  );
+  if (isWhole) texture.internalFormat = 'RGBA32UI';
+  texture.needsUpdate = true;
+  return texture;
+}
+
+function cornersTexture(corners: Uint32Array, width: number, count: number): three.DataTexture {
+  const table = new Uint32Array(4 * count);
+  for (let i = 0; i < count; ++i) for (let c = 0; c < width; ++c) table[4 * i + c] = corners[width * i + c];
+  return tableTexture(table, count);
+}
+
+function unit(colour: Rgb): three.Vector3 {
+  return new three.Vector3(...colour.map((c) => c / 255));
+}
+
+/** Something drawn from one index buffer. */
+class Drawable {
+  readonly object: three.Mesh | three.LineSegments;
+  readonly uniforms: Uniforms;
+  private readonly index: three.BufferAttribute;
+
+  constructor(
+    elements: Uint32Array,
+    readonly material: three.RawShaderMaterial,
+    isLines = false,
+  ) {
+    const geometry = new three.BufferGeometry();
+    this.index = new three.BufferAttribute(elements, 1).setUsage(three.DynamicDrawUsage);
+    geometry.setIndex(this.index);
+    geometry.setDrawRange(0, isLines ? Infinity : 0);
+    this.object = isLines ? new three.LineSegments(geometry, material) : new three.Mesh(geometry, material);
+    this.object.frustumCulled = false;
+    this.uniforms = material.uniforms;
+  }
+
+  /** Takes over what has changed in a list. Returns how many bytes will be sent. */
+  update(list: SimplexList): number {
+    let bytes = 0;
+    for (const { start, count } of list.takeChanges()) {
+      this.index.addUpdateRange(start, count);
+      bytes += 4 * count;
+    }
+    if (bytes > 0) this.index.needsUpdate = true;
+    this.show(list.size * list.pattern.offsets.length);
+    return bytes;
+  }
+
+  show(elements: number): void {
+    this.object.geometry.setDrawRange(0, elements);
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose();
+    this.material.dispose();
+  }
+}
+
+/** Elements of quads for points or edges 0..count - 1. */
+function quads(count: number): Uint32Array<ArrayBuffer> {
+  const elements = new Uint32Array(6 * count);
+  for (let i = 0; i < count; ++i) {
+    for (let c = 0; c < 6; ++c) elements[6 * i + c] = 4 * i + kQuad.offsets[c];
+  }
+  return elements;
+}
+
+/** A layer that follows a list of the model. */
+interface ListLayer {
+  name: string;
+  dimension: number;
+  role: Role;
+  drawable: Drawable;
+}
+
+export class Scene {
+  readonly renderer: three.WebGLRenderer;
+  private readonly world = new three.Scene();
+  private readonly eye = new three.Camera();
+  private readonly isPlanar: boolean;
+  private readonly shared: Uniforms;
+  private readonly pointTexture: three.DataTexture;
+  private readonly offsetTexture: three.DataTexture;
+  private readonly colourTexture: three.DataTexture;
+  private readonly cornerTextures: (three.DataTexture | null)[];
+  private readonly facetColours: three.DataTexture;
+  private readonly lists: ListLayer[] = [];
+  private readonly layers: Partial<Record<string, Drawable>> = {};
+  private readonly tables: three.Texture[] = [];
+  private bytes = 0;
+  private width = 1;
+  private height = 1;
+
+  /** @throws NoWebGl where the browser does not draw in three dimensions. */
+  constructor(
+    canvas: HTMLCanvasElement,
+    readonly model: ShapeModel,
+    bonds: Uint32Array,
+    trace: Uint32Array,
+  ) {
+    const context = canvas.getContext('webgl2', { antialias: true, alpha: true });
+    if (!context) throw new NoWebGl('WebGL 2 is not available');
+    this.renderer = new three.WebGLRenderer({ canvas, context, antialias: true, alpha: true });
+    this.renderer.outputColorSpace = three.LinearSRGBColorSpace; // shaders give what is displayed
+    this.renderer.setClearAlpha(0);
+    this.renderer.sortObjects = false;
+    this.renderer.info.autoReset = true;
+    const { snapshot, points, pointCount } = model;
+    this.isPlanar = snapshot.facts.dimension === 2;
+    this.pointTexture = this.table(tableTexture(points, pointCount));
+    this.offsetTexture = this.table(tableTexture(new Float32Array(4 * pointCount), pointCount));
+    this.colourTexture = this.table(tableTexture(new Uint8Array(4 * pointCount), pointCount));
+    this.cornerTextures = snapshot.simplices.map(() => null);
+    const facets = snapshot.facetOwners.length;
+    this.facetColours = this.table(tableTexture(new Uint8Array(4 * facets), facets));
+    const matrix = () => ({ value: new three.Matrix4() });
+    this.shared = {
+      view: matrix(),
+      projection: matrix(),
+      clipPlane: { value: new three.Vector4(0, 0, 0, -1) },
+      viewport: { value: new three.Vector2(1, 1) },
+      explosion: { value: 0 },
+      explodesParts: { value: true },
+      points: { value: this.pointTexture },
+      offsets: { value: this.offsetTexture },
+      colours: { value: this.colourTexture },
+      ownColours: { value: this.facetColours },
+      wave: { value: -1 },
+      fog: { value: new three.Vector3(1, 1, 1) },
+      fogRange: { value: new three.Vector2(1, 2) },
+      isOrthographic: { value: false },
+      alpha2: { value: 0 },
+      planarDepth: { value: 1 },
+    };
+    this.addLayers(bonds, trace);
+  }
+
+  private table(texture: three.DataTexture): three.DataTexture {
+    this.tables.push(texture);
+    this.bytes += (texture.image.data as unknown as ArrayBufferView).byteLength;
+    return texture;
+  }
+
+  private corners(dimension: number): three.DataTexture {
+    const { corners, count } = this.model.snapshot.simplices[dimension];
+    return (this.cornerTextures[dimension] ??= this.table(cornersTexture(corners, dimension + 1, count)));
+  }
+
+  private material(vertex: string, fragment: string, own: Uniforms): three.RawShaderMaterial {
+    const uniforms = { ...this.shared, opacity: { value: 1 }, colouring: { value: 0 }, isFlat: { value: this.isPlanar }, isPlanar: { value: this.isPlanar }, ...own };
+    return new three.RawShaderMaterial({
+      glslVersion: three.GLSL3,
+      vertexShader: vertex,
+      fragmentShader: fragment,
+      uniforms,
+      side: three.DoubleSide,
+      transparent: this.isPlanar, // so that everything is drawn in the order of its layers
+      depthTest: !this.isPlanar,
+      depthWrite: !this.isPlanar,
+    });
+  }
+
+  private add(name: string, drawable: Drawable): Drawable {
+    this.layers[name] = drawable;
+    this.world.add(drawable.object);
+    return drawable;
+  }
+
+  private addList(name: string, dimension: number, role: Role, drawable: Drawable): void {
+    this.lists.push({ name, dimension, role, drawable: this.add(name, drawable) });
+  }
+
+  private triangles(elements: Uint32Array, colour: Rgb, hasInside: boolean, isSolid = false): Drawable {
+    const material = this.material(kTriangleVertex, kTriangleFragment, {
+      corners: { value: this.corners(isSolid ? 3 : 2) },
+      colour: { value: unit(colour) },
+      isSolid: { value: isSolid },
+      hasInside: { value: hasInside },
+      outline: { value: 0 },
+    });
+    material.forceSinglePass = false; // where it is translucent, backs come before fronts
+    return new Drawable(elements, material);
+  }
+
+  private edges(elements: Uint32Array, colour: Rgb, own: Uniforms): Drawable {
+    return new Drawable(
+      elements,
+      this.material(kEdgeVertex, kEdgeFragment, {
+        corners: { value: this.corners(1) },
+        ends: { value: this.pointTexture },
+        hasEnds: { value: false },
+        colour: { value: unit(colour) },
+        radius: { value: 0 },
+        pixels: { value: 2 },
+        ...own,
+      }),
+    );
+  }
+
+  private balls(elements: Uint32Array, colour: Rgb, pixels: number): Drawable {
+    return new Drawable(
+      elements,
+      this.material(kBallVertex, kBallFragment, {
+        colour: { value: unit(colour) },
+        pixels: { value: pixels },
+      }),
+    );
+  }
+
+  // Pairs of vertices as sticks.
+  private sticks(pairs: Uint32Array, colour: Rgb, radius: number): Drawable {
+    const sticks = this.edges(quads(pairs.length / 2), colour, {
+      corners: { value: this.table(cornersTexture(pairs, 2, pairs.length / 2)) },
+      radius: { value: 2 * radius * this.model.scale },
+      pixels: { value: 1.5 },
+    });
+    sticks.show(3 * pairs.length);
+    return sticks;
+  }
+
+  private addLayers(bonds: Uint32Array, trace: Uint32Array): void {
+    const { meshes, pointCount, snapshot } = this.model;
+    const list = (k: number, role: Role) => meshes[k]!.list(role).elements;
+    const { regular, singular, edge, vertex, interior } = kRoleColours;
+    const vertexList = (role: Role) => this.balls(list(0, role), vertex, 0);
+    // In the order of drawing: in the plane what comes later lies above.
+    this.addList('singular_balls', 0, 'singular', vertexList('singular'));
+    this.addList('regular_balls', 0, 'regular', vertexList('regular'));
+    this.add('all_balls', this.balls(quads(snapshot.simplices[0].count), vertex, 0)).show(0);
+    if (this.isPlanar) this.addPowerCells();
+    this.addList('interior', 2, 'interior', this.triangles(list(2, 'interior'), interior, false));
+    this.add('wireframe', this.wireframe());
+    if (bonds.length > 0) this.add('sticks', this.sticks(bonds, [120, 128, 140], 0.14));
+    if (trace.length > 0) this.add('trace', this.sticks(trace, [52, 58, 70], 0.32));
+    const edgeList = (role: Role, colour: Rgb, pixels: number) =>
+      this.edges(list(1, role), colour, { pixels: { value: pixels } });
+    this.addList('singular_edges', 1, 'singular', edgeList('singular', edge, this.isPlanar ? 3 : 2.6));
+    if (this.isPlanar) this.addList('regular', 1, 'regular', edgeList('regular', regular, 4));
+    this.addList('singular_triangles', 2, 'singular', this.triangles(list(2, 'singular'), singular, false));
+    if (!this.isPlanar) this.addList('regular', 2, 'regular', this.triangles(list(2, 'regular'), regular, true));
+    this.add('points', this.balls(quads(pointCount), [70, 78, 92], this.isPlanar ? 6 : 4)).show(0);
+    this.addList('singular_vertices', 0, 'singular', this.balls(list(0, 'singular'), vertex, 7));
+  }
+
+  private wireframe(): Drawable {
+    const elements = this.model.snapshot.simplices[1].corners;
+    const material = this.material(kLineVertex, kLineFragment, { colour: { value: new three.Vector3() } });
+    material.transparent = true;
+    material.depthWrite = false;
+    const wireframe = new Drawable(elements, material, true);
+    wireframe.uniforms.opacity.value = 0.35;
+    return wireframe;
+  }
+
+  // Borders of power cells, seen on disks only: these have written depths below the borders'.
+  private addPowerCells(): void {
+    const ends = this.model.powerEdges();
+    const count = this.model.snapshot.simplices[1].count;
+    const cells = this.edges(quads(count), [255, 255, 255], {
+      ends: { value: this.table(tableTexture(ends, 2 * count)) },
+      hasEnds: { value: true },
+      pixels: { value: 1.6 },
+    });
+    cells.material.depthTest = true;
+    cells.material.depthFunc = three.GreaterDepth;
+    this.add('power_cells', cells).show(6 * count);
+    for (const name of ['singular_balls', 'regular_balls', 'all_balls']) {
+      const { material } = this.layers[name]!;
+      material.depthTest = material.depthWrite = true;
+    }
+  }
+
+  /** CSS pixels, and how many of the device make one. */
+  resize(width: number, height: number, pixelRatio: number): void {
+    this.renderer.setPixelRatio(pixelRatio);
+    this.renderer.setSize(width, height, false);
+    this.width = width * pixelRatio;
+    this.height = height * pixelRatio;
+  }
+
+  get aspect(): number {
+    return this.width / this.height;
+  }
+
+  /** Takes over the model's current index. Costs what has changed. */
+  updateLists(): void {
+    for (const { dimension, role, drawable } of this.lists) {
+      const mesh = this.model.meshes[dimension];
+      if (mesh) this.bytes += drawable.update(mesh.list(role));
+    }
+  }
+
+  setColouring(colouring: Colouring, state: State): void {
+    const { vertices, facets } = colouring;
+    const fill = (texture: three.DataTexture, count: number, colourOf: (i: number) => Rgb) => {
+      const data = texture.image.data as unknown as Uint8Array;
+      for (let i = 0; i < count; ++i) {
+        const [r, g, b] = colourOf(i);
+        data[4 * i] = r;
+        data[4 * i + 1] = g;
+        data[4 * i + 2] = b;
+      }
+      texture.needsUpdate = true;
+      this.bytes += data.byteLength;
+    };
+    const vertexCount = this.model.snapshot.simplices[0].count;
+    if (vertices) fill(this.colourTexture, this.model.pointCount, (p) => vertices(p < vertexCount ? p : kNone));
+    if (facets && !this.isPlanar) fill(this.facetColours, this.model.snapshot.facetOwners.length, facets);
+    const byDimension = state.colour === 'dimension';
+    const role = kRoleColours;
+    const plain: Record<string, Rgb> = {
+      regular: byDimension ? kDimensionColours[this.isPlanar ? 1 : 2] : role.regular,
+      singular_triangles: byDimension ? kDimensionColours[2] : role.singular,
+      interior: byDimension ? kDimensionColours[2] : role.interior,
+      singular_edges: byDimension ? kDimensionColours[1] : role.edge,
+      singular_vertices: byDimension ? kDimensionColours[0] : role.vertex,
+    };
+    for (const [name, drawable] of Object.entries(this.layers)) {
+      if (!drawable) continue;
+      const isTriangle = name === 'regular' || name === 'singular_triangles';
+      const takesOwn = facets && isTriangle && !this.isPlanar;
+      drawable.uniforms.colouring.value = takesOwn ? 2 : vertices ? 1 : 0;
+      if (plain[name]) drawable.uniforms.colour.value = unit(plain[name]);
+      if (name.endsWith('_balls') && !vertices) {
+        drawable.uniforms.colour.value = unit(this.isPlanar ? [168, 201, 228] : [150, 190, 222]);
+      }
+      if (name === 'points' || name === 'power_cells' || name === 'trace' || name === 'wireframe') drawable.uniforms.colouring.value = 0;
+    }
+  }
+
+  /** [point]: where its component goes, x, y, z, and its way from the wave's source. */
+  setOffsets(offsets: Float32Array): void {
+    const data = this.offsetTexture.image.data as unknown as Float32Array;
+    data.set(offsets);
+    this.offsetTexture.needsUpdate = true;
+    this.bytes += data.byteLength;
+  }
+
+  /** The plane that clips, scene: what has dot(xyz, p) + w > 0 is not seen. */
+  clipPlane(state: State, camera: Camera): [number, number, number, number] {
+    const normals: Record<string, Vector> = {
+      x: [1, 0, 0],
+      y: [0, 1, 0],
+      z: [0, 0, 1],
+      view: rowsOf(camera.turn)[2],
+    };
+    const normal = normals[state.clipAxis];
+    if (!normal) return [0, 0, 0, -1];
+    const target = state.clipAxis === 'view' ? dot(normal, camera.target) : 0;
+    return [...normal, -(target + state.clipPlace)];
+  }
+
+  private showLayers(state: State): void {
+    const clips = state.clipAxis !== 'off';
+    const shows = (name: string): boolean => {
+      if (name === 'singular_balls' || name === 'regular_balls') return isShown(state, 'balls') && !clips;
+      if (name === 'all_balls') return isShown(state, 'balls') && clips;
+      if (name === 'power_cells') return isShown(state, 'power_cells') && isShown(state, 'balls');
+      if (name === 'tetrahedra') return state.explosion > 0 && state.explodedPart === 'tetrahedra' && isShown(state, 'interior');
+      return isShown(state, name as never);
+    };
+    for (const [name, drawable] of Object.entries(this.layers)) if (drawable) drawable.object.visible = shows(name);
+    this.layers.all_balls!.show(6 * this.model.snapshot.simplices[0].count);
+    this.layers.points!.show(6 * this.model.pointCount);
+  }
+
+  private showTetrahedra(state: State): void {
+    if (this.isPlanar || state.explodedPart !== 'tetrahedra' || state.explosion === 0) return;
+    if (!isShown(state, 'interior')) return;
+    if (!this.layers.tetrahedra) {
+      const { elements } = this.model.tetrahedra().list('interior');
+      const drawable = this.triangles(elements, kRoleColours.interior, false, true);
+      this.addList('tetrahedra', 3, 'interior', drawable);
+    }
+    this.updateLists();
+  }
+
+  /** Draws a frame. */
+  render(state: State, camera: Camera, fog: Rgb, isDark: boolean): FrameReport {
+    const begin = performance.now();
+    this.showTetrahedra(state);
+    this.showLayers(state);
+    const spread = 1 + (state.explosion > 0 ? 2 * state.explosion : 0);
+    const offCentre = Math.hypot(...camera.target);
+    const balls = isShown(state, 'balls') ? Math.sqrt(Math.max(0, this.largestRadius2(state))) : 0;
+    const reach = (1.05 + balls) * spread + offCentre;
+    const isOrthographic = this.isPlanar || state.projection === 'orthographic';
+    const range: [number, number] = isOrthographic ? [camera.distance - reach, camera.distance + reach] : depthRange(camera, reach);
+    const u = this.shared;
+    u.view.value.fromArray(viewMatrix(camera));
+    u.projection.value.fromArray(projectionMatrix(camera, this.aspect, isOrthographic, range));
+    u.clipPlane.value.set(...this.clipPlane(state, camera));
+    u.viewport.value.set(this.width, this.height);
+    u.explosion.value = 1.6 * state.explosion;
+    u.explodesParts.value = state.explodedPart === 'components';
+    u.wave.value = state.wave === null ? -1 : state.wave * 1.12;
+    u.fog.value = unit(fog);
+    u.fogRange.value.set(camera.distance - 0.35, camera.distance + 1.9);
+    u.isOrthographic.value = isOrthographic;
+    u.alpha2.value = Number.isFinite(state.alpha2) ? state.alpha2 * this.model.scale ** 2 : state.alpha2 > 0 ? 1e6 : -1e6;
+    u.planarDepth.value = Math.max(1e-12, this.largestRadius2(state));
+    this.setLook(state, isDark);
+    this.renderer.render(this.world, this.eye);
+    return this.report(begin);
+  }
+
+  private largestWeight: number | null = null;
+  private largestRadius2(state: State): number {
+    if (this.largestWeight === null) {
+      this.largestWeight = -Infinity;
+      const { points, pointCount } = this.model;
+      for (let p = 0; p < pointCount; ++p) this.largestWeight = Math.max(this.largestWeight, points[4 * p + 3]);
+    }
+    const radius2 = this.largestWeight + state.alpha2 * this.model.scale ** 2;
+    return Number.isFinite(radius2) ? radius2 : 0;
+  }
+
+  private setLook(state: State, isDark: boolean): void {
+    const isTranslucent = state.opacity < 1;
+    const hasExplodedSimplices = state.explosion > 0 && state.explodedPart !== 'components';
+    for (const name of ['regular', 'singular_triangles', 'interior'] as const) {
+      const drawable = this.layers[name];
+      if (!drawable) continue;
+      const isFill = this.isPlanar && name === 'interior';
+      drawable.uniforms.opacity.value = isFill ? 0.75 * state.opacity : state.opacity;
+      drawable.material.transparent = isTranslucent || this.isPlanar;
+      drawable.material.depthWrite = !isTranslucent && !this.isPlanar;
+      if (drawable.uniforms.outline) {
+        drawable.uniforms.outline.value = isShown(state, 'outlines') || hasExplodedSimplices ? 0.38 : 0;
+      }
+    }
+    if (this.layers.tetrahedra) this.layers.tetrahedra.uniforms.outline.value = 0.38;
+    this.layers.wireframe!.uniforms.colour.value = unit(isDark ? [190, 200, 215] : [70, 80, 96]);
+    this.layers.points!.uniforms.colour.value = unit(isDark ? [200, 208, 220] : [62, 70, 84]);
+    if (this.layers.trace) this.layers.trace.uniforms.colour.value = unit(isDark ? [226, 230, 236] : [58, 64, 76]);
+    if (this.layers.power_cells) this.layers.power_cells.uniforms.colour.value = unit(isDark ? [20, 24, 32] : [255, 255, 255]);
+  }
+
+  private report(begin: number): FrameReport {
+    const drawn: Record<string, number> = {};
+    for (const { name, dimension, role, drawable } of this.lists) {
+      const perSimplex = this.model.meshes[dimension]!.list(role).pattern.offsets.length;
+      const elements = drawable.object.geometry.drawRange.count;
+      if (drawable.object.visible) drawn[name] = elements / perSimplex;
+    }
+    const bytes = this.bytes;
+    this.bytes = 0;
+    return {
+      bytes,
+      drawCalls: this.renderer.info.render.calls,
+      milliseconds: performance.now() - begin,
+      drawn,
+    };
+  }
+
+  dispose(): void {
+    for (const drawable of Object.values(this.layers)) drawable?.dispose();
+    for (const texture of this.tables) texture.dispose();
+    this.renderer.dispose();
+  }
+}
