@@ -47,7 +47,7 @@ export default defineConfig({
   test: {
     environment: 'node',
     projects: [
-      { extends: true, test: { name: 'unit', include: ['tests/unit/*.test.ts'] } },
+      { extends: true, test: { name: 'unit', include: ['tests/unit/*.test.ts'], testTimeout: 60_000 } },
       {
         extends: true,
         test: {

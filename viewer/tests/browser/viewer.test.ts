@@ -252,6 +252,42 @@ describe('looking', () => {
   });
 });
 
+describe('saving', () => {
+  async function saved(page: Page, button: string): Promise<{ name: string; bytes: Buffer }> {
+    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: button }).click()]);
+    return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+  }
+
+  it.each([
+    ['ply', kMolecule],
+    ['glb', kSurface],
+    ['obj', kPlane],
+  ])('the shape as %s gives what the command line gives', async (format, input) => {
+    const page = await viewer.open(input);
+    const index = Math.round(0.4 * (await spectrumSize(page)));
+    await goToIndex(page, index);
+    await page.getByLabel('Format of the mesh').selectOption(format);
+    const { name, bytes } = await saved(page, 'Save the shape');
+    expect(name).toBe(input.replace(/.*\//, '').replace(/\.\w+$/, `.${format}`));
+    expect(bytes.equals(orthoball('shape', input, '--index', String(index), '--format', format))).toBe(true);
+    await page.context().close();
+  });
+
+  it('a picture has the size that was asked for; the table has a row for every index', async () => {
+    const page = await viewer.open(kPlane);
+    await page.getByLabel('Width of the picture').fill('640');
+    await page.getByLabel('Height of the picture').fill('480');
+    const before = await picture(page);
+    const { bytes } = await saved(page, 'Save picture');
+    expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual([640, 480]);
+    expect(bytes.length).toBeGreaterThan(5000);
+    expect(await picture(page)).toBe(before);
+    const table = (await saved(page, 'Save signatures')).bytes.toString();
+    expect(table.trim().split('\n').length).toBe(1 + (await spectrumSize(page)));
+    await page.context().close();
+  });
+});
+
 describe('trouble', () => {
   const page = () => orthoball('view', kSurface, '-o', '-').toString();
 
