@@ -118,11 +118,13 @@ export function depthRange(camera: Camera, reach: number): [number, number] {
   return [Math.max(away - reach, far / 2000), far];
 }
 
+/** @param shift  of the middle to the right, in half widths of the view. */
 export function projectionMatrix(
   camera: Camera,
   aspect: number,
   isOrthographic: boolean,
   [near, far]: [number, number],
+  shift: number,
 ): Matrix {
   const matrix = new Array<number>(16).fill(0);
   const height = Math.tan(kHalfView);
@@ -131,11 +133,13 @@ export function projectionMatrix(
     matrix[0] = 1 / (half * aspect);
     matrix[5] = 1 / half;
     matrix[10] = -2 / (far - near);
+    matrix[12] = shift;
     matrix[14] = -(far + near) / (far - near);
     matrix[15] = 1;
   } else {
     matrix[0] = 1 / (height * aspect);
     matrix[5] = 1 / height;
+    matrix[8] = -shift;
     matrix[10] = -(far + near) / (far - near);
     matrix[11] = -1;
     matrix[14] = (-2 * far * near) / (far - near);

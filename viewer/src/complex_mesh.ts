@@ -8,8 +8,6 @@
 
 import { roleAt, type Role, type Simplices } from './types';
 
-/** Roles that have a list, by their numbers; 0 is exterior. */
-export const kRoles: readonly Role[] = ['exterior', 'singular', 'regular', 'interior'];
 const kRoleNumber: Record<Role, number> = { exterior: 0, singular: 1, regular: 2, interior: 3 };
 
 /** Elements of an index buffer that a simplex takes: `width * simplex + pattern[i]`. */
@@ -22,8 +20,6 @@ export const kQuad: Pattern = { width: 4, offsets: [0, 1, 2, 2, 1, 3] };
 export const kTriangle: Pattern = { width: 3, offsets: [0, 1, 2] };
 /** The four faces of a tetrahedron. */
 export const kFaces: Pattern = { width: 12, offsets: [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11] };
-/** Counted, but not drawn. */
-const kNotDrawn: Pattern = { width: 0, offsets: [] };
 
 const kBlock = 256; // simplices
 
@@ -78,26 +74,37 @@ export class SimplexList {
   }
 }
 
-/** Numbers of simplices by increasing rank[simplex]; those for which `take` is false are left out. */
-function sortedByRank(
-  rank: Uint32Array,
-  end: number,
-  take: (simplex: number) => boolean,
-): Uint32Array {
-  const begin = new Uint32Array(end + 1);
+/** Indices from `from[simplex]` on and before `to[simplex]`; null for never ending. */
+interface Spans {
+  from: Uint32Array;
+  to: Uint32Array | null;
+}
+
+/** When the simplices of a dimension have a role. */
+function spansOf({ enters, regular, interior }: Simplices, role: Role): Spans {
+  if (role === 'singular') return { from: enters, to: regular };
+  return role === 'regular' ? { from: regular, to: interior } : { from: interior, to: null };
+}
+
+/** The simplices whose span is not empty, by increasing rank[simplex]; none that is never. */
+function sortedByRank(rank: Uint32Array, { from, to }: Spans, never: number): Uint32Array {
+  const begin = new Uint32Array(never + 1);
   let size = 0;
   for (let i = 0; i < rank.length; ++i) {
-    if (!take(i)) continue;
+    if (from[i] >= (to ? to[i] : never) || rank[i] >= never) continue;
     ++begin[rank[i]];
     ++size;
   }
-  for (let r = 0, sum = 0; r <= end; ++r) {
+  for (let r = 0, sum = 0; r <= never; ++r) {
     const count = begin[r];
     begin[r] = sum;
     sum += count;
   }
   const sorted = new Uint32Array(size);
-  for (let i = 0; i < rank.length; ++i) if (take(i)) sorted[begin[rank[i]]++] = i;
+  for (let i = 0; i < rank.length; ++i) {
+    if (from[i] >= (to ? to[i] : never) || rank[i] >= never) continue;
+    sorted[begin[rank[i]]++] = i;
+  }
   return sorted;
 }
 
@@ -131,33 +138,29 @@ class Events {
   }
 }
 
-/** The most intervals [begin, end) that have an index in common, given both ends sorted. */
-function mostAtOnce(
-  begins: Uint32Array,
-  beginOf: Uint32Array,
-  ends: Uint32Array,
-  endOf: Uint32Array,
-): number {
+/** How many spans have an index in common at most, given their ends by increasing index. */
+function mostAtOnce({ from, to }: Spans, begins: Uint32Array, ends: Uint32Array): number {
+  if (!to) return begins.length;
   let most = 0;
   let ended = 0;
   for (let begun = 0; begun < begins.length; ++begun) {
-    while (ended < ends.length && endOf[ends[ended]] <= beginOf[begins[begun]]) ++ended;
+    while (ended < ends.length && to[ends[ended]] <= from[begins[begun]]) ++ended;
     most = Math.max(most, begun + 1 - ended);
   }
   return most;
 }
 
 /**
- * The simplices of one dimension by role, at one index after the other. Begins at index 0. Only the
- * `drawn` roles have index buffers.
+ * The simplices of one dimension by role, at one index after the other. Begins at index 0. Only those
+ * of the `drawn` roles are known.
  */
 export class ComplexMesh {
-  /** By the number of the role; none for exterior. */
-  readonly lists: readonly SimplexList[];
   index = 0;
+  /** By the number of the role; null for roles that are not drawn. */
+  private readonly lists: (SimplexList | null)[] = [null, null, null, null];
   private readonly role: Uint8Array;
   private readonly place: Uint32Array;
-  private readonly events: readonly Events[];
+  private readonly events: Events[] = [];
 
   constructor(
     readonly simplices: Simplices,
@@ -165,53 +168,51 @@ export class ComplexMesh {
     never: number,
     drawn: readonly Role[],
   ) {
-    const patternOf = (role: Role) => (drawn.includes(role) ? pattern : kNotDrawn);
-    const { count, enters, regular, interior } = simplices;
-    this.role = new Uint8Array(count);
-    this.place = new Uint32Array(count);
-    const isSingular = (i: number) => enters[i] < regular[i];
-    const isRegular = (i: number) => regular[i] < interior[i];
-    const singular = sortedByRank(enters, never, isSingular);
-    const singularEnd = sortedByRank(regular, never, (i) => isSingular(i) && regular[i] < never);
-    const regularFrom = sortedByRank(regular, never, isRegular);
-    const regularEnd = sortedByRank(interior, never, (i) => isRegular(i) && interior[i] < never);
-    const interiorFrom = sortedByRank(interior, never, (i) => interior[i] < never);
-    this.events = [
-      new Events(enters, singular),
-      new Events(regular, singularEnd),
-      new Events(regular, regularFrom),
-      new Events(interior, interiorFrom),
-    ];
-    this.lists = [
-      new SimplexList(kNotDrawn, 0),
-      new SimplexList(patternOf('singular'), mostAtOnce(singular, enters, singularEnd, regular)),
-      new SimplexList(patternOf('regular'), mostAtOnce(regularFrom, regular, regularEnd, interior)),
-      new SimplexList(patternOf('interior'), interiorFrom.length),
-    ];
+    this.role = new Uint8Array(simplices.count);
+    this.place = new Uint32Array(simplices.count);
+    for (const role of drawn) {
+      const spans = spansOf(simplices, role);
+      const begins = sortedByRank(spans.from, spans, never);
+      const ends = spans.to ? sortedByRank(spans.to, spans, never) : new Uint32Array(0);
+      this.events.push(new Events(spans.from, begins));
+      if (spans.to) this.events.push(new Events(spans.to, ends));
+      this.lists[kRoleNumber[role]] = new SimplexList(pattern, mostAtOnce(spans, begins, ends));
+    }
   }
 
+  /** Of a role that is drawn. */
   list(role: Role): SimplexList {
-    return this.lists[kRoleNumber[role]];
-  }
-
-  roleOf(simplex: number): Role {
-    return kRoles[this.role[simplex]];
+    const list = this.lists[kRoleNumber[role]];
+    if (!list) throw new Error(`simplices that are ${role} are not listed`);
+    return list;
   }
 
   /** Goes to another index. Returns how many simplices were looked at. */
   moveTo(index: number): number {
     this.index = index;
     const passed = this.events.map((events) => events.moveTo(index));
+    const count = passed.reduce((sum, simplices) => sum + simplices.length, 0);
+    if (count > this.simplices.count) {
+      this.listAnew(index);
+      return this.simplices.count;
+    }
     // First all that leave, then all that come: no list is ever longer than at an index.
     for (const simplices of passed) for (const simplex of simplices) this.leave(simplex, index);
     for (const simplices of passed) for (const simplex of simplices) this.enter(simplex, index);
-    return passed.reduce((sum, simplices) => sum + simplices.length, 0);
+    return count;
+  }
+
+  // In the order of the simplices, which is that of memory: for far ways.
+  private listAnew(index: number): void {
+    for (const list of this.lists) if (list) list.size = 0;
+    this.role.fill(0);
+    for (let simplex = 0; simplex < this.simplices.count; ++simplex) this.enter(simplex, index);
   }
 
   private leave(simplex: number, index: number): void {
     const role = this.role[simplex];
     if (role === 0 || role === kRoleNumber[roleAt(this.simplices, simplex, index)]) return;
-    const list = this.lists[role];
+    const list = this.lists[role]!;
     const place = this.place[simplex];
     const last = list.simplices[--list.size];
     if (last !== simplex) {
@@ -223,8 +224,8 @@ export class ComplexMesh {
 
   private enter(simplex: number, index: number): void {
     const role = kRoleNumber[roleAt(this.simplices, simplex, index)];
-    if (role === 0 || role === this.role[simplex]) return;
     const list = this.lists[role];
+    if (!list || role === this.role[simplex]) return;
     this.role[simplex] = role;
     this.place[simplex] = list.size;
     list.put(list.size++, simplex);

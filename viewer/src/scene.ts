@@ -27,13 +27,16 @@ import {
   kTriangleVertex,
 } from './shaders';
 import type { ShapeModel } from './shape_model';
-import { isShown, type State } from './state';
-import { kNone, type Role } from './types';
+import { isShown, kExplodedParts, type Layer, type State } from './state';
+import { kNone } from './types';
 
 const kTexelsAcross = 2048;
 
 /** WebGL 2 is not there. */
 export class NoWebGl extends Error {}
+
+/** There is more than the graphics processor takes. */
+export class TooLarge extends Error {}
 
 /** What the last frame cost, and what was in it. */
 export interface FrameReport {
@@ -132,8 +135,7 @@ function quads(count: number): Uint32Array<ArrayBuffer> {
 /** A layer that follows a list of the model. */
 interface ListLayer {
   name: string;
-  dimension: number;
-  role: Role;
+  list: SimplexList;
   drawable: Drawable;
 }
 
@@ -151,6 +153,8 @@ export class Scene {
   private readonly lists: ListLayer[] = [];
   private readonly layers: Partial<Record<string, Drawable>> = {};
   private readonly tables: three.Texture[] = [];
+  /** Of the middle of the view to the right, in half widths. */
+  shift = 0;
   private bytes = 0;
   private width = 1;
   private height = 1;
@@ -200,6 +204,11 @@ export class Scene {
   }
 
   private table(texture: three.DataTexture): three.DataTexture {
+    const most = this.renderer.capabilities.maxTextureSize;
+    if (texture.image.height > most) {
+      const [count, limit] = [texture.image.height, most].map((rows) => (rows * kTexelsAcross).toLocaleString('en'));
+      throw new TooLarge(`a table of it has ${count} entries, and this graphics processor takes ${limit} at most`);
+    }
     this.tables.push(texture);
     this.bytes += (texture.image.data as unknown as ArrayBufferView).byteLength;
     return texture;
@@ -230,8 +239,10 @@ export class Scene {
     return drawable;
   }
 
-  private addList(name: string, dimension: number, role: Role, drawable: Drawable): void {
-    this.lists.push({ name, dimension, role, drawable: this.add(name, drawable) });
+  private addList(name: string, list: SimplexList, make: (elements: Uint32Array) => Drawable): Drawable {
+    const drawable = this.add(name, make(list.elements));
+    this.lists.push({ name, list, drawable });
+    return drawable;
   }
 
   private triangles(elements: Uint32Array, colour: Rgb, hasInside: boolean, isSolid = false): Drawable {
@@ -284,26 +295,39 @@ export class Scene {
 
   private addLayers(bonds: Uint32Array, trace: Uint32Array): void {
     const { meshes, pointCount, snapshot } = this.model;
-    const list = (k: number, role: Role) => meshes[k]!.list(role).elements;
-    const { regular, singular, edge, vertex, interior } = kRoleColours;
-    const vertexList = (role: Role) => this.balls(list(0, role), vertex, 0);
+    const [vertices, edges, triangles] = meshes;
+    const colours = kRoleColours;
+    const balls = (pixels: number) => (elements: Uint32Array) => this.balls(elements, colours.vertex, pixels);
+    const edgesOf = (colour: Rgb, pixels: number) => (elements: Uint32Array) =>
+      this.edges(elements, colour, { pixels: { value: pixels } });
+    const trianglesOf = (colour: Rgb, hasInside: boolean) => (elements: Uint32Array) =>
+      this.triangles(elements, colour, hasInside);
     // In the order of drawing: in the plane what comes later lies above.
-    this.addList('singular_balls', 0, 'singular', vertexList('singular'));
-    this.addList('regular_balls', 0, 'regular', vertexList('regular'));
-    this.add('all_balls', this.balls(quads(snapshot.simplices[0].count), vertex, 0)).show(0);
+    this.addList('singular_balls', vertices.list('singular'), balls(0));
+    this.addList('regular_balls', vertices.list('regular'), balls(0));
+    this.add('all_balls', balls(0)(quads(snapshot.simplices[0].count)));
     if (this.isPlanar) this.addPowerCells();
-    this.addList('interior', 2, 'interior', this.triangles(list(2, 'interior'), interior, false));
+    this.addList('interior', triangles.list('interior'), trianglesOf(colours.interior, false));
     this.add('wireframe', this.wireframe());
     if (bonds.length > 0) this.add('sticks', this.sticks(bonds, [120, 128, 140], 0.14));
     if (trace.length > 0) this.add('trace', this.sticks(trace, [52, 58, 70], 0.32));
-    const edgeList = (role: Role, colour: Rgb, pixels: number) =>
-      this.edges(list(1, role), colour, { pixels: { value: pixels } });
-    this.addList('singular_edges', 1, 'singular', edgeList('singular', edge, this.isPlanar ? 3 : 2.6));
-    if (this.isPlanar) this.addList('regular', 1, 'regular', edgeList('regular', regular, 4));
-    this.addList('singular_triangles', 2, 'singular', this.triangles(list(2, 'singular'), singular, false));
-    if (!this.isPlanar) this.addList('regular', 2, 'regular', this.triangles(list(2, 'regular'), regular, true));
-    this.add('points', this.balls(quads(pointCount), [70, 78, 92], this.isPlanar ? 6 : 4)).show(0);
-    this.addList('singular_vertices', 0, 'singular', this.balls(list(0, 'singular'), vertex, 7));
+    this.addList('singular_edges', edges.list('singular'), edgesOf(colours.edge, this.isPlanar ? 3 : 2.6));
+    if (this.isPlanar) this.addList('regular', edges.list('regular'), edgesOf(colours.regular, 4));
+    this.addList('singular_triangles', triangles.list('singular'), trianglesOf(colours.singular, false));
+    if (!this.isPlanar) this.addList('regular', triangles.list('regular'), trianglesOf(colours.regular, true));
+    this.add('points', this.balls(quads(pointCount), [70, 78, 92], this.isPlanar ? 6 : 4));
+    this.addList('singular_vertices', vertices.list('singular'), balls(7));
+  }
+
+  // All simplices of a dimension by themselves, for moving apart.
+  private addApart(dimension: number): void {
+    const list = this.model.allOf(dimension).list('interior');
+    const colour = kDimensionColours[dimension];
+    this.addList(`apart_${dimension}`, list, (elements) => {
+      if (dimension === 0) return this.balls(elements, colour, 8);
+      if (dimension === 1) return this.edges(elements, colour, { pixels: { value: 2.6 } });
+      return this.triangles(elements, colour, false, dimension === 3);
+    });
   }
 
   private wireframe(): Drawable {
@@ -348,10 +372,7 @@ export class Scene {
 
   /** Takes over the model's current index. Costs what has changed. */
   updateLists(): void {
-    for (const { dimension, role, drawable } of this.lists) {
-      const mesh = this.model.meshes[dimension];
-      if (mesh) this.bytes += drawable.update(mesh.list(role));
-    }
+    for (const { list, drawable } of this.lists) this.bytes += drawable.update(list);
   }
 
   setColouring(colouring: Colouring, state: State): void {
@@ -416,35 +437,29 @@ export class Scene {
 
   private showLayers(state: State): void {
     const clips = state.clipAxis !== 'off';
+    const apart = state.explosion > 0 ? kExplodedParts.indexOf(state.explodedPart) - 1 : -1;
+    if (apart >= 0 && !this.layers[`apart_${apart}`]) {
+      this.addApart(apart);
+      this.updateLists();
+    }
     const shows = (name: string): boolean => {
+      if (name.startsWith('apart_')) return name === `apart_${apart}`;
+      if (apart >= 0) return false; // simplices by themselves are seen alone
       if (name === 'singular_balls' || name === 'regular_balls') return isShown(state, 'balls') && !clips;
       if (name === 'all_balls') return isShown(state, 'balls') && clips;
       if (name === 'power_cells') return isShown(state, 'power_cells') && isShown(state, 'balls');
-      if (name === 'tetrahedra') return state.explosion > 0 && state.explodedPart === 'tetrahedra' && isShown(state, 'interior');
-      return isShown(state, name as never);
+      return isShown(state, name as Layer);
     };
     for (const [name, drawable] of Object.entries(this.layers)) if (drawable) drawable.object.visible = shows(name);
     this.layers.all_balls!.show(6 * this.model.snapshot.simplices[0].count);
     this.layers.points!.show(6 * this.model.pointCount);
   }
 
-  private showTetrahedra(state: State): void {
-    if (this.isPlanar || state.explodedPart !== 'tetrahedra' || state.explosion === 0) return;
-    if (!isShown(state, 'interior')) return;
-    if (!this.layers.tetrahedra) {
-      const { elements } = this.model.tetrahedra().list('interior');
-      const drawable = this.triangles(elements, kRoleColours.interior, false, true);
-      this.addList('tetrahedra', 3, 'interior', drawable);
-    }
-    this.updateLists();
-  }
-
   /** Draws a frame. */
   render(state: State, camera: Camera, fog: Rgb, isDark: boolean): FrameReport {
     const begin = performance.now();
-    this.showTetrahedra(state);
     this.showLayers(state);
-    const spread = 1 + (state.explosion > 0 ? 2 * state.explosion : 0);
+    const spread = 1 + 2 * state.explosion;
     const offCentre = Math.hypot(...camera.target);
     const balls = isShown(state, 'balls') ? Math.sqrt(Math.max(0, this.largestRadius2(state))) : 0;
     const reach = (1.05 + balls) * spread + offCentre;
@@ -452,7 +467,7 @@ export class Scene {
     const range: [number, number] = isOrthographic ? [camera.distance - reach, camera.distance + reach] : depthRange(camera, reach);
     const u = this.shared;
     u.view.value.fromArray(viewMatrix(camera));
-    u.projection.value.fromArray(projectionMatrix(camera, this.aspect, isOrthographic, range));
+    u.projection.value.fromArray(projectionMatrix(camera, this.aspect, isOrthographic, range, this.shift));
     u.clipPlane.value.set(...this.clipPlane(state, camera));
     u.viewport.value.set(this.width, this.height);
     u.explosion.value = 1.6 * state.explosion;
@@ -481,7 +496,6 @@ export class Scene {
 
   private setLook(state: State, isDark: boolean): void {
     const isTranslucent = state.opacity < 1;
-    const hasExplodedSimplices = state.explosion > 0 && state.explodedPart !== 'components';
     for (const name of ['regular', 'singular_triangles', 'interior'] as const) {
       const drawable = this.layers[name];
       if (!drawable) continue;
@@ -490,10 +504,13 @@ export class Scene {
       drawable.material.transparent = isTranslucent || this.isPlanar;
       drawable.material.depthWrite = !isTranslucent && !this.isPlanar;
       if (drawable.uniforms.outline) {
-        drawable.uniforms.outline.value = isShown(state, 'outlines') || hasExplodedSimplices ? 0.38 : 0;
+        drawable.uniforms.outline.value = isShown(state, 'outlines') ? 0.38 : 0;
       }
     }
-    if (this.layers.tetrahedra) this.layers.tetrahedra.uniforms.outline.value = 0.38;
+    for (const name of ['apart_2', 'apart_3']) {
+      const drawable = this.layers[name];
+      if (drawable) drawable.uniforms.outline.value = 0.38;
+    }
     this.layers.wireframe!.uniforms.colour.value = unit(isDark ? [190, 200, 215] : [70, 80, 96]);
     this.layers.points!.uniforms.colour.value = unit(isDark ? [200, 208, 220] : [62, 70, 84]);
     if (this.layers.trace) this.layers.trace.uniforms.colour.value = unit(isDark ? [226, 230, 236] : [58, 64, 76]);
@@ -502,8 +519,8 @@ export class Scene {
 
   private report(begin: number): FrameReport {
     const drawn: Record<string, number> = {};
-    for (const { name, dimension, role, drawable } of this.lists) {
-      const perSimplex = this.model.meshes[dimension]!.list(role).pattern.offsets.length;
+    for (const { name, list, drawable } of this.lists) {
+      const perSimplex = list.pattern.offsets.length;
       const elements = drawable.object.geometry.drawRange.count;
       if (drawable.object.visible) drawn[name] = elements / perSimplex;
     }

@@ -6,12 +6,6 @@
 import { ComplexMesh, kFaces, kQuad, kTriangle } from './complex_mesh';
 import { kNone, type Role, type Snapshot } from './types';
 
-/** What can be drawn of the complex, by dimension and role. */
-export interface DrawnList {
-  dimension: number;
-  role: Role;
-}
-
 function extentOf(coordinates: Float64Array, D: number): { centre: number[]; size: number } {
   const low = new Array<number>(D).fill(Infinity);
   const high = new Array<number>(D).fill(-Infinity);
@@ -37,8 +31,9 @@ export class ShapeModel {
    */
   readonly points: Float32Array<ArrayBuffer>;
   readonly pointCount: number;
-  /** [dimension]: simplices of the complex; null for tetrahedra until they are wanted. */
-  readonly meshes: (ComplexMesh | null)[];
+  /** [dimension]: vertices, edges and triangles of the complex, as they are always drawn. */
+  readonly meshes: readonly ComplexMesh[];
+  private readonly extra = new Map<number, ComplexMesh>();
   index = 0;
   /** Simplices looked at by the last move. */
   touched = 0;
@@ -66,7 +61,6 @@ export class ShapeModel {
       mesh(0, ['singular', 'regular']),
       mesh(1, D === 2 ? ['singular', 'regular'] : ['singular']),
       mesh(2, ['singular', 'regular', 'interior']),
-      null,
     ];
   }
 
@@ -76,34 +70,25 @@ export class ShapeModel {
     return point < vertexRows.length ? vertexRows[point] : hidden[point - vertexRows.length];
   }
 
-  /** The tetrahedra of the complex, listed from now on. */
-  tetrahedra(): ComplexMesh {
-    if (!this.meshes[3]) {
-      this.meshes[3] = new ComplexMesh(this.snapshot.simplices[3], kFaces, this.never, ['interior']);
-      this.meshes[3].moveTo(this.index);
+  /** All simplices of the complex of a dimension by themselves, listed from now on. */
+  allOf(dimension: number): ComplexMesh {
+    let mesh = this.extra.get(dimension);
+    if (!mesh) {
+      // As if they were inside as soon as they are there.
+      const { corners, enters, count } = this.snapshot.simplices[dimension];
+      const simplices = { dimension, count, corners, enters, regular: enters, interior: enters };
+      const pattern = [kQuad, kQuad, kTriangle, kFaces][dimension];
+      mesh = new ComplexMesh(simplices, pattern, this.never, ['interior']);
+      mesh.moveTo(this.index);
+      this.extra.set(dimension, mesh);
     }
-    return this.meshes[3];
+    return mesh;
   }
 
   moveTo(index: number): void {
     this.index = index;
     this.touched = 0;
-    for (const mesh of this.meshes) this.touched += mesh?.moveTo(index) ?? 0;
-  }
-
-  /** How many simplices of a dimension have a role, cells included. */
-  count(dimension: number, role: Role): number {
-    const mesh = this.meshes[dimension];
-    if (mesh && role !== 'exterior') return mesh.list(role).size;
-    const { count, enters } = this.snapshot.simplices[dimension];
-    if (mesh) return count - this.entered(mesh);
-    let inside = 0;
-    for (let i = 0; i < count; ++i) if (enters[i] <= this.index) ++inside;
-    return role === 'interior' ? inside : role === 'exterior' ? count - inside : 0;
-  }
-
-  private entered(mesh: ComplexMesh): number {
-    return mesh.lists.reduce((sum, list) => sum + list.size, 0);
+    for (const mesh of [...this.meshes, ...this.extra.values()]) this.touched += mesh.moveTo(index);
   }
 
   /** Centres of the orthoballs of triangles, [3 * cell + axis] in scene units; plane only. */

@@ -33,6 +33,8 @@ export interface StageEvents {
 }
 
 const kPickPixels = 5;
+const kCardWidth = 286; // CSS pixels on the left, which the shape is not to lie under
+const kNarrow = 700; // CSS pixels; there it does
 
 export class Stage {
   readonly model: ShapeModel;
@@ -69,7 +71,15 @@ export class Stage {
 
   private firstCamera(): Camera {
     const { facts } = this.snapshot;
-    return startCamera(this.model.points, this.model.pointCount, facts.dimension, facts.weights === 'molecule_radii');
+    const { points, pointCount } = this.model;
+    const camera = startCamera(points, pointCount, facts.dimension, facts.weights === 'molecule_radii');
+    const { clientWidth, clientHeight } = this.canvas;
+    const narrow = clientHeight / Math.max(1, clientWidth - this.margin());
+    return { ...camera, distance: camera.distance * Math.max(1, Math.min(4, narrow)) };
+  }
+
+  private margin(): number {
+    return this.canvas.clientWidth > kNarrow ? kCardWidth : 0;
   }
 
   /** Shows another state. */
@@ -189,12 +199,14 @@ export class Stage {
     const { clientWidth, clientHeight } = this.canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.scene.resize(clientWidth, clientHeight, Math.min(window.devicePixelRatio, 2));
+    this.scene.shift = this.margin() / clientWidth;
     this.drawNow();
   }
 
   /** The view as a picture of so many pixels, on a background or none. */
   async picture(width: number, height: number, background: string | null): Promise<Blob> {
     this.scene.resize(width, height, 1);
+    this.scene.shift = 0;
     this.drawNow();
     const copy = document.createElement('canvas');
     [copy.width, copy.height] = [width, height];
@@ -292,7 +304,7 @@ export class Stage {
       camera,
       clientWidth / clientHeight,
       isOrthographic,
-      (2 * x) / clientWidth - 1,
+      (2 * x) / clientWidth - 1 - this.scene.shift,
       1 - (2 * y) / clientHeight,
     );
     const pixel = (2 * Math.tan((Math.PI / 180) * 14)) / clientHeight;
@@ -305,7 +317,9 @@ export class Stage {
     const isSeen = (p: Vector) => clip[0] * p[0] + clip[1] * p[1] + clip[2] * p[2] + clip[3] <= 0;
     const place = this.placeOf();
     const [, edges, triangles] = snapshot.simplices;
-    const list = (k: number, role: 'singular' | 'regular' | 'interior') => model.meshes[k]!.list(role);
+    // Simplices that have moved apart are not where they belong.
+    if (state.explosion > 0) return null;
+    const list = (k: number, role: 'singular' | 'regular' | 'interior') => model.meshes[k].list(role);
     let hit: Hit | null = null;
     const isPlanar = snapshot.facts.dimension === 2;
     if (isShown(state, 'regular') && !isPlanar) hit = pickTriangle(hit, wide, list(2, 'regular'), triangles.corners, place, isSeen);

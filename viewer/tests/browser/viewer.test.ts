@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { join } from 'node:path';
 
 import type { Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
 
-import { dataOf, orthoball, signatureRows, sourceFile, spread } from '../program';
+import { dataOf, inFolder, orthoball, signatureRows, sourceFile, spread } from '../program';
 import { drawn, goToIndex, picture, shownIndex, Viewer, waitForIndex } from './browser';
 
 const kMolecule = sourceFile('examples/data/bdna_dodecamer.pdb');
@@ -193,12 +194,14 @@ describe('looking', () => {
     await see('clip plane');
     await page.getByLabel('Clip').selectOption('off');
     await page.getByLabel('by', { exact: true }).fill('0.5');
-    for (const part of ['triangles', 'edges', 'components']) {
+    const row = signatureRows(kMolecule, [await shownIndex(page)])[0];
+    for (const [k, part] of ['vertices', 'edges', 'triangles', 'tetrahedra'].entries()) {
       await page.getByLabel('Explode').selectOption(part);
-      seen.add(await picture(page));
+      await see(part);
+      const all = row[`singular_${k}`]! + row[`regular_${k}`]! + row[`interior_${k}`]!;
+      expect(await drawn(page)).toEqual({ [`apart_${k}`]: all });
     }
-    expect(seen.size).toBeGreaterThan(count + 1);
-    count = seen.size;
+    await page.getByLabel('Explode').selectOption('components');
     await page.getByLabel('Opacity').fill('0.4');
     await see('opacity');
     await page.getByLabel('Theme').selectOption('dark');
@@ -250,6 +253,60 @@ describe('looking', () => {
     await page.context().close();
     await again.context().close();
   });
+});
+
+describe('in the plane', () => {
+  it('disks, their power cells, points and the triangulation are layers', async () => {
+    const page = await viewer.open(kPlane, { hash: '#alpha2=0.01' });
+    const seen = new Set([await picture(page)]);
+    for (const name of ['Union of disks', 'Power cells in the disks', 'Triangles', 'Outline', 'Input points', 'Whole triangulation', 'Triangle sides', 'Triangles']) {
+      await page.getByLabel(name, { exact: true }).click();
+      if (name !== 'Triangle sides') seen.add(await picture(page)); // triangles are hidden then
+    }
+    expect(seen.size).toBe(8);
+    await page.keyboard.press('+');
+    seen.add(await picture(page));
+    expect(seen.size).toBe(9);
+    await page.context().close();
+  });
+});
+
+describe('a large set', () => {
+  /** So many atoms in a ball, a grid moved at random, always the same. */
+  function manyAtoms(side: number): string {
+    let state = 12345;
+    const random = () => (state = (state * 48271) % 2147483647) / 2147483647 - 0.5;
+    const atoms: string[] = [];
+    for (let i = 0; i < side ** 3; ++i) {
+      const grid = [i % side, Math.floor(i / side) % side, Math.floor(i / side ** 2)];
+      const place = grid.map((c) => (1.6 * (c - side / 2) + random()).toFixed(3));
+      if (Math.hypot(...grid.map((c) => c - side / 2)) < side / 2) atoms.push(`${'CNO'[i % 3]} ${place.join(' ')}`);
+    }
+    return `${atoms.length}\n\n${atoms.join('\n')}\n`;
+  }
+
+  it('of 200,000 atoms is shown, and a step costs what changes', async () => {
+    await inFolder(async (folder) => {
+      const input = join(folder, 'large.xyz');
+      writeFileSync(input, manyAtoms(73));
+      const page = await viewer.open(input);
+      const size = await spectrumSize(page);
+      expect(size).toBeGreaterThan(1_048_576); // measures are rounded to 24 bits
+      for (const row of signatureRows(input, [await shownIndex(page), Math.round(size / 2)])) {
+        await goToIndex(page, row.index!);
+        expect(await drawn(page)).toMatchObject({ regular: row.regular_2, singular_triangles: row.singular_2 });
+        const shown = await page.locator('dd').first().getAttribute('data-value');
+        expect(Math.abs(Number(shown) / row.volume! - 1)).toBeLessThan(1e-7);
+      }
+      await page.locator('canvas').first().focus();
+      const index = await shownIndex(page);
+      await page.keyboard.press('ArrowRight');
+      await waitForIndex(page, index + 1);
+      const [bytes] = JSON.parse((await page.getAttribute('#viewer', 'data-cost'))!);
+      expect(bytes).toBeLessThan(60_000);
+      await page.context().close();
+    });
+  }, 240_000);
 });
 
 describe('saving', () => {
@@ -365,6 +422,15 @@ describe('people', () => {
     );
     const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
     expect(serious.map(({ id, nodes }) => [id, nodes.map((n) => `${n.html} ${n.failureSummary}`)])).toEqual([]);
+    await page.context().close();
+  });
+
+  it('are told at their first visit what to do, until they do it', async () => {
+    const page = await viewer.openText(orthoball('view', kSurface, '-o', '-'), { isFirstVisit: true });
+    const hint = page.getByText('Drag to turn');
+    await hint.waitFor();
+    await page.keyboard.press('ArrowRight');
+    await hint.waitFor({ state: 'detached' });
     await page.context().close();
   });
 

@@ -4,10 +4,11 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { startCamera } from '../../src/camera';
 import { componentsAt, distancesAt, voidsAt } from '../../src/connections';
 import { linkText, stateFromLink } from '../../src/link';
+import { RoleCounts } from '../../src/role_counts';
 import { ShapeModel } from '../../src/shape_model';
 import { atAlpha2, atIndex, atNextNotable, spokenState, startState, stepped, withLayer } from '../../src/state';
 import type { Snapshot } from '../../src/types';
-import { orthoball, snapshotOf, sourceFile, spread } from '../program';
+import { orthoball, signatureRows, snapshotOf, sourceFile, spread } from '../program';
 
 const kTori = sourceFile('examples/data/linked_tori.csv');
 let tori: Snapshot;
@@ -118,19 +119,16 @@ describe('connections', () => {
   });
 });
 
-describe('the model', () => {
-  it('counts by role as the program does, tetrahedra too', () => {
-    const model = new ShapeModel(tori);
-    for (const index of [5000, 2000, 9000]) {
-      model.moveTo(index);
-      const counts = model.snapshot.simplices.map((_, k) =>
-        (['exterior', 'singular', 'regular', 'interior'] as const).map((role) => model.count(k, role)),
-      );
-      const [head, line] = orthoball('signatures', kTori, '--index', String(index)).toString().trim().split('\n');
-      const row = new Map(head.split(',').map((name, i) => [name, Number(line.split(',')[i])]));
-      counts.forEach((byRole, k) =>
-        expect(byRole).toEqual(['exterior', 'singular', 'regular', 'interior'].map((role) => row.get(`${role}_${k}`))),
-      );
+describe('counts by role', () => {
+  it('are those of the program, tetrahedra included', () => {
+    const counter = new RoleCounts(tori);
+    for (const row of signatureRows(kTori, [1, 5000, 2000, 9000])) {
+      for (let k = 0; k <= 3; ++k) {
+        const expected = Object.fromEntries(
+          ['exterior', 'singular', 'regular', 'interior'].map((role) => [role, row[`${role}_${k}`]]),
+        );
+        expect(counter.at(row.index!, k)).toEqual(expected);
+      }
     }
   });
 });
