@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -143,8 +144,18 @@ void open_page(const std::string& path) {
   posix_spawn_file_actions_init(&quiet);
   posix_spawn_file_actions_addopen(&quiet, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_addopen(&quiet, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  // On its own, so that it does not end with the terminal, and with the usual effect of signals.
+  posix_spawnattr_t alone;
+  posix_spawnattr_init(&alone);
+  posix_spawnattr_setflags(&alone, POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGDEF);
+  sigset_t ours;
+  sigemptyset(&ours);
+  sigaddset(&ours, SIGPIPE);
+  sigaddset(&ours, SIGXFSZ);
+  posix_spawnattr_setsigdefault(&alone, &ours);
   pid_t child = 0;
-  posix_spawnp(&child, program.c_str(), &quiet, nullptr, arguments.data(), environ);
+  posix_spawnp(&child, program.c_str(), &quiet, &alone, arguments.data(), environ);
+  posix_spawnattr_destroy(&alone);
   posix_spawn_file_actions_destroy(&quiet);
 }
 
