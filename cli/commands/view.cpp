@@ -58,7 +58,7 @@ std::string output_of(const ViewOptions& options) {
   }
   std::filesystem::path name = file_name(options.input.path);
   if (ending_of(name.string()) == "gz") name.replace_extension();
-  const std::string output = name.replace_extension(".html").string();
+  std::string output = name.replace_extension(".html").string();
   if (std::filesystem::exists(output) && !is_page(output)) {
     throw UsageError(output + ": is not a page of orthoball and will not be replaced; -o FILE " +
                      "names another file, or this one if it is meant");

@@ -341,6 +341,12 @@ export class Stage {
     return hit && { dimension: hit.dimension, simplex: hit.simplex };
   }
 
+  /** What is seen in the middle of the view. */
+  pickMiddle(): Picked | null {
+    const { clientWidth, clientHeight } = this.canvas;
+    return this.pick((clientWidth * (1 + this.scene.shift)) / 2, clientHeight / 2);
+  }
+
   dispose(): void {
     cancelAnimationFrame(this.frame);
     clearTimeout(this.settling);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "orthoball/output/snapshot.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstddef>
 #include <map>
@@ -218,7 +220,7 @@ template <int D>
 Numbers corners_of_all(const Filtration<D>& filtration, int dimension) {
   const std::uint32_t first = filtration.table().first(dimension);
   Numbers numbers;
-  numbers.reserve(static_cast<std::size_t>(dimension + 1) * filtration.count(dimension));
+  numbers.reserve((static_cast<std::size_t>(dimension) + 1) * filtration.count(dimension));
   if (dimension == D && filtration.triangulation().affine_dimension() == D) {
     for (const auto& cell : filtration.triangulation().template cells<D>()) {
       numbers.insert(numbers.end(), cell.corners.begin(), cell.corners.end());
@@ -251,7 +253,7 @@ void add_simplices(PackedArrays& arrays, const Filtration<D>& filtration) {
   const bool has_cells = filtration.triangulation().affine_dimension() == D;
   for (int k = 0; k <= D; ++k) {
     const std::string noun(kNouns[static_cast<std::size_t>(k)]);
-    const std::size_t count = filtration.count(k), corners = static_cast<std::size_t>(k + 1);
+    const std::size_t count = filtration.count(k), corners = static_cast<std::size_t>(k) + 1;
     if (has_cells && k == D - 1) {
       add_facets(arrays, filtration);
     } else if (k > 0) {
@@ -259,7 +261,7 @@ void add_simplices(PackedArrays& arrays, const Filtration<D>& filtration) {
                  [&filtration, k] { return corners_of_all(filtration, k); });
     }
     const auto add_indices = [&](const std::string& role, auto index_of) {
-      arrays.add(noun + "_" + role, count, 0,
+      arrays.add(fmt::format("{}_{}", noun, role), count, 0,
                  [&filtration, k, index_of] { return of_all(filtration, k, index_of); });
     };
     add_indices("enters", [&filtration](SimplexId s) { return filtration.enters(s); });

@@ -345,6 +345,39 @@ describe('saving', () => {
   });
 });
 
+describe('degenerate input', () => {
+  it.each([
+    ['no site', 'x,y,z\n', 0],
+    ['one site', 'x,y,z\n1,2,3\n', 1],
+    ['equal sites', 'x,y,z\n1,2,3\n1,2,3\n', 1],
+    ['a line', 'x,y,z\n0,0,0\n1,1,1\n2,2,2\n4,4,4\n', 4],
+    ['a plane in space', 'x,y,z\n0,0,1\n1,0,1\n0,1,1\n1,1,1\n5,5,1\n', 5],
+    ['one site in the plane', 'x,y\n1,2\n', 1],
+    ['a line in the plane', 'x,y\n0,0\n1,1\n3,3\n', 3],
+    ['far apart', 'x,y,z\n0,0,0\n1e-9,0,0\n0,1e9,0\n0,0,1e12\n1e12,1,1\n', 5],
+  ])('of %s is shown, and every layer', async (_, text, vertices) => {
+    await inFolder(async (folder) => {
+      const input = join(folder, 'points.csv');
+      writeFileSync(input, text);
+      const page = await viewer.open(input, { args: ['--allow-empty'], hash: '#index=1' });
+      expect(await page.getAttribute('#viewer', 'data-error')).toBeNull();
+      for (const box of await page.getByRole('checkbox').all()) await box.click();
+      await page.keyboard.press('End');
+      await waitForIndex(page, await spectrumSize(page));
+      const colour = page.getByRole('combobox', { name: /^Colour by/ });
+      for (const option of await colour.locator('option').all()) {
+        await colour.selectOption((await option.getAttribute('value'))!);
+      }
+      await page.getByText('Counts by role').click();
+      const first = page.locator('details tbody tr').first();
+      await first.waitFor();
+      const row = await first.locator('td').allTextContents();
+      expect(row.reduce((sum, count) => sum + Number(count), 0)).toBe(vertices);
+      await page.context().close();
+    });
+  });
+});
+
 describe('trouble', () => {
   const page = () => orthoball('view', kSurface, '-o', '-').toString();
 
@@ -385,6 +418,21 @@ describe('trouble', () => {
     const row = signatureRows(kMolecule, [await spectrumSize(opened)])[0];
     await waitForIndex(opened, row.index!);
     expect(await drawn(opened)).toMatchObject({ regular: row.regular_2, singular_triangles: row.singular_2 });
+    await opened.context().close();
+  });
+
+  it('with too many simplices for the graphics processor is told, with what to do', async () => {
+    const opened = await viewer.openText(page(), {
+      prepare: (p) =>
+        p.addInitScript(() => {
+          const old = WebGL2RenderingContext.prototype.getParameter;
+          WebGL2RenderingContext.prototype.getParameter = function (name) {
+            return name === this.MAX_TEXTURE_SIZE ? 1 : (old.call(this, name) as unknown);
+          };
+        }),
+    });
+    expect(await opened.getAttribute('#viewer', 'data-error')).toBe('too_large');
+    expect(await opened.getByRole('alert').textContent()).toMatch(/takes 2,048 at most.*orthoball shape/);
     await opened.context().close();
   });
 
