@@ -46,7 +46,12 @@ export function surfaceIndex(snapshot: Snapshot): number | null {
 }
 
 /** The index to begin with, with the reason in words. */
-export function firstLook(snapshot: Snapshot): { index: number; alpha2: number; reason: string } {
+export function firstLook(snapshot: Snapshot): {
+  index: number;
+  alpha2: number;
+  reason: string;
+  isSurface: boolean;
+} {
   const { start, dimension, weights } = snapshot.facts;
   const wasChosen = start.reason === '';
   const surface = !wasChosen && dimension === 3 && weights === 'none' ? surfaceIndex(snapshot) : null;
@@ -55,7 +60,8 @@ export function firstLook(snapshot: Snapshot): { index: number; alpha2: number; 
       index: surface,
       alpha2: snapshot.spectrum[surface - 1],
       reason: 'the surface: around here its area stays the same for the longest while',
+      isSurface: true,
     };
   }
-  return { index: start.index, alpha2: start.alpha2 ?? -Infinity, reason: start.reason };
+  return { index: start.index, alpha2: start.alpha2 ?? -Infinity, reason: start.reason, isSurface: false };
 }

@@ -315,7 +315,8 @@ export class Scene {
     if (this.isPlanar) this.addList('regular', edges.list('regular'), edgesOf(colours.regular, 4));
     this.addList('singular_triangles', triangles.list('singular'), trianglesOf(colours.singular, false));
     if (!this.isPlanar) this.addList('regular', triangles.list('regular'), trianglesOf(colours.regular, true));
-    this.add('points', this.balls(quads(pointCount), [70, 78, 92], this.isPlanar ? 6 : 4));
+    const pointSize = !this.isPlanar ? 4 : pointCount < 600 ? 6 : pointCount < 3000 ? 4 : 2.5;
+    this.add('points', this.balls(quads(pointCount), [70, 78, 92], pointSize));
     this.addList('singular_vertices', vertices.list('singular'), balls(7));
   }
 

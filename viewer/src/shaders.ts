@@ -152,9 +152,9 @@ void main() {
   if (isFlat) {
     light = linear(colour);
   } else {
-    if (isBack && hasInside) colour = mix(colour, vec3(0.52, 0.46, 0.44), 0.55);
+    if (isBack && hasInside) colour = mix(colour, vec3(0.55, 0.5, 0.48), 0.4);
     light = lit(colour, n, toEye);
-    if (isBack && hasInside) light *= 0.8;
+    if (isBack && hasInside) light *= 0.85;
   }
   if (outline > 0.0) {
     vec3 width = fwidth(share);

@@ -83,7 +83,7 @@ export class SignaturePlot {
         },
         series: [{}, { stroke: look.curve, fill: look.fill, width: 1.5, points: { show: false } }],
         axes: [
-          { ...axis(data.hasAxis), size: 24, gap: 2, values: (_, splits) => splits.map((x) => (x === null ? null : shownNumber(x, 4))) },
+          { ...axis(data.hasAxis), size: 24, gap: 2, space: 60, values: (_, splits) => splits.map((x) => (x === null ? null : shownNumber(x, 4))) },
           { ...axis(true), size: 52, gap: 4, space: 22, values: (_, splits) => splits.map((y) => (y === null ? null : shownNumber(y, 4))) },
         ],
       },

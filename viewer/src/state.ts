@@ -72,13 +72,14 @@ export function startState(snapshot: Snapshot): State {
   const layers: Layer[] = ['regular', 'singular_triangles', 'singular_edges', 'singular_vertices'];
   if (!inSpace) layers.push('interior', 'points');
   if (inSpace && facts.triangles < 60_000) layers.push('outlines');
-  const { index, alpha2, reason } = firstLook(snapshot);
+  const { index, alpha2, reason, isSurface } = firstLook(snapshot);
   return {
     index,
     alpha2,
     start: { index, reason },
     layers,
-    colour: 'role',
+    // Of a thin shell some triangles bound flat tetrahedra and some none: that says little at first.
+    colour: isSurface ? 'component' : 'role',
     opacity: 1,
     projection: inSpace ? 'perspective' : 'orthographic',
     clipAxis: 'off',

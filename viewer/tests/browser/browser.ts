@@ -105,9 +105,19 @@ export async function goToIndex(page: Page, index: number): Promise<void> {
   await waitForIndex(page, index);
 }
 
+/** Waits until what was done has been drawn, also what the page puts off for a moment. */
+export async function settled(page: Page): Promise<void> {
+  await page.evaluate(
+    () =>
+      new Promise((resolve) =>
+        setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(resolve)), 100),
+      ),
+  );
+}
+
 /** The shape as it is drawn now, without what lies above it: a text, equal for equal pictures. */
 export async function picture(page: Page): Promise<string> {
-  await page.waitForTimeout(150);
+  await settled(page);
   const style = '.overlay, .buttons, .hint { visibility: hidden !important } canvas { outline: 0 !important }';
   const shot = await page.locator('canvas').first().screenshot({ style });
   return shot.toString('base64');

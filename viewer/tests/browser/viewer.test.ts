@@ -7,7 +7,7 @@ import type { Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
 
 import { dataOf, inFolder, orthoball, signatureRows, sourceFile, spread } from '../program';
-import { drawn, goToIndex, picture, shownIndex, Viewer, waitForIndex } from './browser';
+import { drawn, goToIndex, picture, settled, shownIndex, Viewer, waitForIndex } from './browser';
 
 const kMolecule = sourceFile('examples/data/bdna_dodecamer.pdb');
 const kSurface = sourceFile('examples/data/linked_tori.csv');
@@ -84,7 +84,7 @@ describe('the slider', () => {
     const box = (await page.locator('.plot').last().boundingBox())!;
     const at = async (share: number): Promise<number> => {
       await page.mouse.move(box.x + share * box.width, box.y + 20);
-      await page.waitForTimeout(100);
+      await settled(page);
       return shownIndex(page);
     };
     await at(0.2);
@@ -219,7 +219,7 @@ describe('looking', () => {
     let found = 0;
     for (let x = 330; x < box.width - 60 && found < 5; x += 37) {
       await page.mouse.click(box.x + x, box.y + 0.45 * box.height);
-      await page.waitForTimeout(60);
+      await settled(page);
       if ((await card.count()) === 0) continue;
       ++found;
       const rows = [...(await card.locator('li').allTextContents()).join(' ').matchAll(/row (\d+)/g)].map(([, row]) => Number(row));
