@@ -22,7 +22,9 @@ const kSteps = 24;
 function points(count) {
   let state = 1;
   const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
-  return Array.from({ length: count }, () => [random(), random(), random()].map((x) => x.toFixed(6)).join(','));
+  return Array.from({ length: count }, () =>
+    [random(), random(), random()].map((x) => x.toFixed(6)).join(','),
+  );
 }
 
 /** In the page: steps by keys, each drawn to the end. Milliseconds and bytes a step. */
@@ -57,9 +59,16 @@ async function steps({ key, count }) {
 const folder = mkdtempSync(join(tmpdir(), 'orthoball-'));
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-background-networking'],
+  args: [
+    '--no-sandbox',
+    '--use-angle=swiftshader',
+    '--enable-unsafe-swiftshader',
+    '--disable-background-networking',
+  ],
 });
-console.log('| triangles | sites | page | bytes a site | open | drawn | step: script | step: sent | frame, step | frame, turn | draw calls |');
+console.log(
+  '| triangles | sites | page | bytes a site | open | drawn | step: script | step: sent | frame, step | frame, turn | draw calls |',
+);
 console.log('|---|---|---|---|---|---|---|---|---|---|---|');
 try {
   for (const triangles of sizes.length > 0 ? sizes.map(Number) : [1e5, 1e6, 3e6]) {
@@ -70,14 +79,19 @@ try {
     const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
     const begin = performance.now();
     await page.goto(`file://${output}`);
-    await page.waitForFunction(() => document.getElementById('viewer').dataset.drawn, null, { timeout: 300_000 });
+    await page.waitForFunction(() => document.getElementById('viewer').dataset.drawn, null, {
+      timeout: 300_000,
+    });
     const open = performance.now() - begin;
     // Where the boundary is large.
     const last = Number(await page.locator('[role=slider]').getAttribute('aria-valuemax'));
     const middle = String(Math.round(0.55 * last));
     await page.getByLabel('index', { exact: true }).fill(middle);
     await page.keyboard.press('Enter');
-    await page.waitForFunction((i) => document.getElementById('viewer').dataset.index === i, middle);
+    await page.waitForFunction(
+      (i) => document.getElementById('viewer').dataset.index === i,
+      middle,
+    );
     await page.locator('canvas').first().focus();
     const drawn = JSON.parse(await page.getAttribute('#viewer', 'data-drawn'));
     const step = await page.evaluate(steps, { key: 'ArrowRight', count: kSteps });

@@ -23,7 +23,10 @@ function inlined(): Plugin {
           html = html.replace(/<script type="module"[^>]*src="[^"]*"[^>]*><\/script>/, '');
           html = html.replace('<!--script-->', () => `<script type="module">${code}</script>`);
         } else if (file.fileName.endsWith('.css')) {
-          html = html.replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${file.source}</style>`);
+          html = html.replace(
+            /<link rel="stylesheet"[^>]*>/,
+            () => `<style>${file.source}</style>`,
+          );
         } else {
           throw new Error(`${file.fileName} does not go into the page`);
         }
@@ -47,7 +50,10 @@ export default defineConfig({
   test: {
     environment: 'node',
     projects: [
-      { extends: true, test: { name: 'unit', include: ['tests/unit/*.test.ts'], testTimeout: 60_000 } },
+      {
+        extends: true,
+        test: { name: 'unit', include: ['tests/unit/*.test.ts'], testTimeout: 60_000 },
+      },
       {
         extends: true,
         test: {

@@ -33,7 +33,10 @@ export function shownNumber(x: number, digits = 6): string {
   if (!Number.isFinite(x)) return '∞';
   const size = Math.abs(x);
   if (size !== 0 && (size < 1e-4 || size >= 1e9)) {
-    return x.toExponential(digits - 1).replace(/\.?0+e/, 'e').replace('-', '−');
+    return x
+      .toExponential(digits - 1)
+      .replace(/\.?0+e/, 'e')
+      .replace('-', '−');
   }
   if (Number.isInteger(x)) return x.toLocaleString('en').replace('-', '−');
   const decimals = size === 0 ? 0 : Math.max(0, digits - 1 - Math.floor(Math.log10(size)));

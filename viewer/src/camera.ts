@@ -158,9 +158,13 @@ export function rayAt(
   const half = camera.distance * Math.tan(kHalfView);
   const rows = rowsOf(camera.turn);
   const toScene = (e: readonly number[]): Vector =>
-    [0, 1, 2].map((axis) => e[0] * rows[0][axis] + e[1] * rows[1][axis] + e[2] * rows[2][axis]) as unknown as Vector;
+    [0, 1, 2].map(
+      (axis) => e[0] * rows[0][axis] + e[1] * rows[1][axis] + e[2] * rows[2][axis],
+    ) as unknown as Vector;
   const onTarget = [x * aspect * half, y * half, 0];
-  const eye = isOrthographic ? [onTarget[0], onTarget[1], camera.distance] : [0, 0, camera.distance];
+  const eye = isOrthographic
+    ? [onTarget[0], onTarget[1], camera.distance]
+    : [0, 0, camera.distance];
   const direction = [onTarget[0] - eye[0], onTarget[1] - eye[1], -eye[2]];
   const length = Math.hypot(...direction);
   const origin = toScene(eye).map((e, axis) => e + camera.target[axis]) as unknown as Vector;
@@ -176,13 +180,20 @@ function axesOf(matrix: number[][]): Vector[] {
     [0, 0, 1],
   ];
   for (let sweep = 0; sweep < 30; ++sweep) {
-    for (const [p, q] of [[0, 1], [0, 2], [1, 2]]) {
+    for (const [p, q] of [
+      [0, 1],
+      [0, 2],
+      [1, 2],
+    ]) {
       if (Math.abs(a[p][q]) < 1e-14) continue;
       const angle = Math.atan2(2 * a[p][q], a[q][q] - a[p][p]) / 2;
       const [c, s] = [Math.cos(angle), Math.sin(angle)];
-      for (let k = 0; k < 3; ++k) [a[k][p], a[k][q]] = [c * a[k][p] - s * a[k][q], s * a[k][p] + c * a[k][q]];
-      for (let k = 0; k < 3; ++k) [a[p][k], a[q][k]] = [c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]];
-      for (let k = 0; k < 3; ++k) [v[k][p], v[k][q]] = [c * v[k][p] - s * v[k][q], s * v[k][p] + c * v[k][q]];
+      for (let k = 0; k < 3; ++k)
+        [a[k][p], a[k][q]] = [c * a[k][p] - s * a[k][q], s * a[k][p] + c * a[k][q]];
+      for (let k = 0; k < 3; ++k)
+        [a[p][k], a[q][k]] = [c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]];
+      for (let k = 0; k < 3; ++k)
+        [v[k][p], v[k][q]] = [c * v[k][p] - s * v[k][q], s * v[k][p] + c * v[k][q]];
     }
   }
   return [0, 1, 2]
@@ -192,22 +203,37 @@ function axesOf(matrix: number[][]): Vector[] {
 
 /** The turn that shows points from their broad side, longest side across. */
 export function broadSide(points: Float32Array, count: number): Quaternion {
-  const sum = [[0, 0, 0], [0, 0, 0], [0, 0, 0]];
+  const sum = [
+    [0, 0, 0],
+    [0, 0, 0],
+    [0, 0, 0],
+  ];
   for (let p = 0; p < count; ++p) {
-    for (let i = 0; i < 3; ++i) for (let j = 0; j < 3; ++j) sum[i][j] += points[4 * p + i] * points[4 * p + j];
+    for (let i = 0; i < 3; ++i)
+      for (let j = 0; j < 3; ++j) sum[i][j] += points[4 * p + i] * points[4 * p + j];
   }
   const scale = Math.max(1e-30, sum[0][0] + sum[1][1] + sum[2][2]);
   const [x, y] = axesOf(sum.map((row) => row.map((e) => e / scale)));
-  const z: Vector = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]];
+  const z: Vector = [
+    x[1] * y[2] - x[2] * y[1],
+    x[2] * y[0] - x[0] * y[2],
+    x[0] * y[1] - x[1] * y[0],
+  ];
   return turnOfRows([x, y, z]);
 }
 
 /** The first look at a scene. */
-export function startCamera(points: Float32Array, count: number, dimension: number, isMolecule: boolean): Camera {
+export function startCamera(
+  points: Float32Array,
+  count: number,
+  dimension: number,
+  isMolecule: boolean,
+): Camera {
   const target: Vector = [0, 0, 0];
   if (dimension === 2) return { target, turn: [0, 0, 0, 1], distance: 0.86 * kFittingDistance };
   let reach = 0;
-  for (let p = 0; p < count; ++p) reach = Math.max(reach, Math.hypot(points[4 * p], points[4 * p + 1], points[4 * p + 2]));
+  for (let p = 0; p < count; ++p)
+    reach = Math.max(reach, Math.hypot(points[4 * p], points[4 * p + 1], points[4 * p + 2]));
   const distance = kFittingDistance * (reach || 1) * (isMolecule ? 1 : 0.96);
   const front = isMolecule && count > 3 ? broadSide(points, count) : ([0, 0, 0, 1] as const);
   const turned = product(turnAround([1, 0, 0], 0.32), product(turnAround([0, 1, 0], -0.42), front));

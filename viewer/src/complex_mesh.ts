@@ -51,7 +51,8 @@ export class SimplexList {
     this.simplices[place] = simplex;
     const { width, offsets } = this.pattern;
     const first = place * offsets.length;
-    for (let i = 0; i < offsets.length; ++i) this.elements[first + i] = width * simplex + offsets[i];
+    for (let i = 0; i < offsets.length; ++i)
+      this.elements[first + i] = width * simplex + offsets[i];
     this.isDirty[(place / kBlock) | 0] = 1;
   }
 

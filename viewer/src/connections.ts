@@ -80,7 +80,7 @@ class Front {
     const last = heap.pop();
     if (!last || heap.length === 0) return top;
     heap[0] = last;
-    for (let at = 0; ; ) {
+    for (let at = 0; ;) {
       let child = 2 * at + 1;
       if (child >= heap.length) break;
       if (child + 1 < heap.length && heap[child + 1][0] < heap[child][0]) ++child;

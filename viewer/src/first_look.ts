@@ -36,10 +36,13 @@ export function surfaceIndex(snapshot: Snapshot): number | null {
     }
     const factor = spectrum[Math.min(s - 1, end)] / spectrum[begin - 1];
     const isHull = area(begin) < kLeastShare * area(s);
-    if (!isHull && begin < end && factor > (best?.factor ?? kLeastFactor ** 2)) best = { factor, begin, end };
+    if (!isHull && begin < end && factor > (best?.factor ?? kLeastFactor ** 2))
+      best = { factor, begin, end };
   }
   if (!best) return null;
-  const middle = Math.sqrt(alphaFromAlpha2(spectrum[best.begin - 1]) * alphaFromAlpha2(spectrum[best.end - 1]));
+  const middle = Math.sqrt(
+    alphaFromAlpha2(spectrum[best.begin - 1]) * alphaFromAlpha2(spectrum[best.end - 1]),
+  );
   let index = best.begin;
   while (index < best.end && spectrum[index] <= middle * middle) ++index;
   return index;
@@ -54,7 +57,8 @@ export function firstLook(snapshot: Snapshot): {
 } {
   const { start, dimension, weights } = snapshot.facts;
   const wasChosen = start.reason === '';
-  const surface = !wasChosen && dimension === 3 && weights === 'none' ? surfaceIndex(snapshot) : null;
+  const surface =
+    !wasChosen && dimension === 3 && weights === 'none' ? surfaceIndex(snapshot) : null;
   if (surface !== null) {
     return {
       index: surface,
@@ -63,5 +67,10 @@ export function firstLook(snapshot: Snapshot): {
       isSurface: true,
     };
   }
-  return { index: start.index, alpha2: start.alpha2 ?? -Infinity, reason: start.reason, isSurface: false };
+  return {
+    index: start.index,
+    alpha2: start.alpha2 ?? -Infinity,
+    reason: start.reason,
+    isSurface: false,
+  };
 }

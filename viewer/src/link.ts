@@ -37,7 +37,8 @@ const short = (x: number) => String(Number(x.toPrecision(6)));
 export function linkText(state: State, start: State, camera: Camera | null): string {
   const parts = new URLSearchParams();
   if (state.index !== start.index) parts.set('index', String(state.index));
-  if (state.alpha2 !== start.alpha2 && Number.isFinite(state.alpha2)) parts.set('alpha2', String(state.alpha2));
+  if (state.alpha2 !== start.alpha2 && Number.isFinite(state.alpha2))
+    parts.set('alpha2', String(state.alpha2));
   for (const key of Object.keys(kWords) as WordKey[]) {
     if (state[key] !== start[key]) parts.set(key, state[key]);
   }
@@ -46,9 +47,16 @@ export function linkText(state: State, start: State, camera: Camera | null): str
   }
   const layers = [...state.layers].sort().join(' ');
   if (layers !== [...start.layers].sort().join(' ')) parts.set('show', layers);
-  if (state.panels.join(' ') !== start.panels.join(' ')) parts.set('panels', state.panels.join(' '));
+  if (state.panels.join(' ') !== start.panels.join(' '))
+    parts.set('panels', state.panels.join(' '));
   if (state.picked) parts.set('picked', `${state.picked.dimension} ${state.picked.simplex}`);
-  if (camera) parts.set('camera', [...camera.target, ...camera.turn, camera.distance].map((x) => Number(x.toPrecision(10))).join(' '));
+  if (camera)
+    parts.set(
+      'camera',
+      [...camera.target, ...camera.turn, camera.distance]
+        .map((x) => Number(x.toPrecision(10)))
+        .join(' '),
+    );
   const text = parts.toString();
   return text ? `#${text}` : '';
 }
@@ -81,7 +89,8 @@ export function stateFromLink(
   for (const key of Object.keys(kWords) as WordKey[]) {
     const word = parts.get(key);
     const words: readonly string[] = kWords[key];
-    if (word !== null && words.includes(word)) state = { ...state, [key]: word as Colour | ExplodedPart };
+    if (word !== null && words.includes(word))
+      state = { ...state, [key]: word as Colour | ExplodedPart };
   }
   for (const key of Object.keys(kNumbers) as NumberKey[]) {
     const number = Number(parts.get(key) ?? NaN);

@@ -21,7 +21,8 @@ export function shortestText(x: number): string {
   const [mantissa, exponentText] = x.toExponential().split('e');
   const exponent = Number(exponentText);
   if (exponent >= -4 && exponent < 16) {
-    if (exponent >= 0) return x.toLocaleString('en', { useGrouping: false, maximumFractionDigits: 20 });
+    if (exponent >= 0)
+      return x.toLocaleString('en', { useGrouping: false, maximumFractionDigits: 20 });
     return x.toFixed(mantissa.replace(/[-.]/g, '').length - 1 - exponent);
   }
   const size = String(Math.abs(exponent)).padStart(2, '0');
@@ -97,7 +98,9 @@ function plyBytes(mesh: ShapeMesh, options: MeshOptions): Uint8Array<ArrayBuffer
       `element face ${mesh.triangles.length}\nproperty list uchar int vertex_indices\n${role}`,
   );
   if (mesh.edges.length > 0) {
-    out.text(`element edge ${mesh.edges.length}\nproperty int vertex1\nproperty int vertex2\n${role}`);
+    out.text(
+      `element edge ${mesh.edges.length}\nproperty int vertex1\nproperty int vertex2\n${role}`,
+    );
   }
   out.text('end_header\n');
   mesh.rows.forEach((row, v) => {
@@ -122,7 +125,8 @@ function objBytes(mesh: ShapeMesh, options: MeshOptions): Uint8Array<ArrayBuffer
   for (let v = 0; v < mesh.rows.length; ++v) {
     out.text(`v ${[...mesh.coordinates.subarray(3 * v, 3 * v + 3)].map(shortestText).join(' ')}\n`);
   }
-  const line = (letter: string, corners: number[]) => out.text(`${letter} ${corners.map((v) => v + 1).join(' ')}\n`);
+  const line = (letter: string, corners: number[]) =>
+    out.text(`${letter} ${corners.map((v) => v + 1).join(' ')}\n`);
   for (const role of ['regular', 'singular'] as const) {
     if (options.roles) out.text(`g ${role}\n`);
     mesh.triangles.forEach((corners, t) => mesh.triangleRoles[t] === role && line('f', corners));
@@ -166,7 +170,8 @@ function primitivesOf(mesh: ShapeMesh): Primitive[] {
   const add = (simplices: number[][], roles: Role[], mode: number) => {
     for (const role of ['regular', 'singular'] as const) {
       const indices = simplices.filter((_, i) => roles[i] === role).flat();
-      if (indices.length > 0) primitives.push({ mode, material: role === 'regular' ? 0 : 1, indices });
+      if (indices.length > 0)
+        primitives.push({ mode, material: role === 'regular' ? 0 : 1, indices });
     }
   };
   add(mesh.triangles, mesh.triangleRoles, 4);
@@ -190,7 +195,12 @@ function boxOf(mesh: ShapeMesh): { middle: number[]; low: number[]; high: number
   return box;
 }
 
-function glbJson(mesh: ShapeMesh, options: MeshOptions, primitives: Primitive[], box: ReturnType<typeof boxOf>): string {
+function glbJson(
+  mesh: ShapeMesh,
+  options: MeshOptions,
+  primitives: Primitive[],
+  box: ReturnType<typeof boxOf>,
+): string {
   const list = (numbers: number[]) => `[${numbers.map(shortestText).join(',')}]`;
   const alpha2 = Number.isFinite(options.alpha2) ? shortestText(options.alpha2) : 'null';
   const head = `{"asset":{"version":"2.0","generator":"orthoball"},"scene":0,"extras":{"alpha2":${alpha2},"index":${mesh.index}}`;
@@ -204,14 +214,18 @@ function glbJson(mesh: ShapeMesh, options: MeshOptions, primitives: Primitive[],
   let offset = 12 * mesh.rows.length;
   const views = [`{"buffer":0,"byteOffset":0,"byteLength":${offset},"target":34962}`];
   for (const { indices } of primitives) {
-    views.push(`{"buffer":0,"byteOffset":${offset},"byteLength":${4 * indices.length},"target":34963}`);
+    views.push(
+      `{"buffer":0,"byteOffset":${offset},"byteLength":${4 * indices.length},"target":34963}`,
+    );
     offset += 4 * indices.length;
   }
   const drawn = primitives.map(
-    ({ mode, material }, i) => `{"attributes":{"POSITION":0},"mode":${mode},"indices":${i + 1},"material":${material}}`,
+    ({ mode, material }, i) =>
+      `{"attributes":{"POSITION":0},"mode":${mode},"indices":${i + 1},"material":${material}}`,
   );
   const accessors = primitives.map(
-    ({ indices }, i) => `{"bufferView":${i + 1},"componentType":5125,"count":${indices.length},"type":"SCALAR"}`,
+    ({ indices }, i) =>
+      `{"bufferView":${i + 1},"componentType":5125,"count":${indices.length},"type":"SCALAR"}`,
   );
   return (
     `${head},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"translation":${list(box.middle)}}],` +
@@ -230,7 +244,8 @@ function glbBytes(mesh: ShapeMesh, options: MeshOptions): Uint8Array<ArrayBuffer
   const binarySize =
     primitives.length === 0
       ? 0
-      : 12 * mesh.rows.length + 4 * primitives.reduce((sum, { indices }) => sum + indices.length, 0);
+      : 12 * mesh.rows.length +
+        4 * primitives.reduce((sum, { indices }) => sum + indices.length, 0);
   const size = 20 + jsonSize + (binarySize > 0 ? 8 + binarySize : 0);
   const out = new Bytes(size);
   out.text('glTF');
@@ -247,7 +262,11 @@ function glbBytes(mesh: ShapeMesh, options: MeshOptions): Uint8Array<ArrayBuffer
   return out.done();
 }
 
-export function meshBytes(mesh: ShapeMesh, format: MeshFormat, options: MeshOptions): Uint8Array<ArrayBuffer> {
+export function meshBytes(
+  mesh: ShapeMesh,
+  format: MeshFormat,
+  options: MeshOptions,
+): Uint8Array<ArrayBuffer> {
   const write = { ply: plyBytes, obj: objBytes, stl: stlBytes, glb: glbBytes }[format];
   return write(mesh, options);
 }

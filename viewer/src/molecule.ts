@@ -23,9 +23,31 @@ export function atomName(snapshot: Snapshot, row: number): string {
 
 // Covalent radii in ångström: Cordero et al., Covalent radii revisited, Dalton Trans. (2008).
 const kCovalentRadii: Record<string, number> = {
-  H: 0.31, D: 0.31, B: 0.84, C: 0.76, N: 0.71, O: 0.66, F: 0.57, Na: 1.66, Mg: 1.41, Al: 1.21,
-  Si: 1.11, P: 1.07, S: 1.05, Cl: 1.02, K: 2.03, Ca: 1.76, Mn: 1.39, Fe: 1.32, Co: 1.26, Ni: 1.24,
-  Cu: 1.32, Zn: 1.22, Se: 1.2, Br: 1.2, I: 1.39,
+  H: 0.31,
+  D: 0.31,
+  B: 0.84,
+  C: 0.76,
+  N: 0.71,
+  O: 0.66,
+  F: 0.57,
+  Na: 1.66,
+  Mg: 1.41,
+  Al: 1.21,
+  Si: 1.11,
+  P: 1.07,
+  S: 1.05,
+  Cl: 1.02,
+  K: 2.03,
+  Ca: 1.76,
+  Mn: 1.39,
+  Fe: 1.32,
+  Co: 1.26,
+  Ni: 1.24,
+  Cu: 1.32,
+  Zn: 1.22,
+  Se: 1.2,
+  Br: 1.2,
+  I: 1.39,
 };
 const kTolerance = 0.45; // of bond lengths, as most programs of molecules have it
 

@@ -94,7 +94,11 @@ function byGroups(count: number, noun: string, many: string): LegendEntry[] {
     colour: categoryColour(i),
     text: i === 0 ? `largest ${noun}` : `${noun} ${i + 1}`,
   }));
-  if (count > shown) entries.push({ colour: kCategories[shown], text: `… of ${count.toLocaleString('en')} ${many}` });
+  if (count > shown)
+    entries.push({
+      colour: kCategories[shown],
+      text: `… of ${count.toLocaleString('en')} ${many}`,
+    });
   return entries;
 }
 
@@ -112,7 +116,12 @@ function byVoid(snapshot: Snapshot, index: number): Colouring {
   const noun = snapshot.facts.dimension === 3 ? 'void' : 'hole';
   const facetColour = (facet: number): Rgb => {
     const [owner, neighbour] = [snapshot.facetOwners[facet] >>> 2, snapshot.facetNeighbours[facet]];
-    const beside = voids.of[owner] !== kNone ? voids.of[owner] : neighbour === kNone ? kNone : voids.of[neighbour];
+    const beside =
+      voids.of[owner] !== kNone
+        ? voids.of[owner]
+        : neighbour === kNone
+          ? kNone
+          : voids.of[neighbour];
     return categoryColour(beside);
   };
   return {
@@ -169,10 +178,12 @@ function byChain(snapshot: Snapshot): Colouring {
 function plain(snapshot: Snapshot, colour: Colour): LegendEntry[] {
   const inSpace = snapshot.facts.dimension === 3;
   if (colour === 'dimension') {
-    return ['vertices', 'edges', 'triangles', ...(inSpace ? ['tetrahedra'] : [])].map((text, k) => ({
-      colour: kDimensionColours[k],
-      text,
-    }));
+    return ['vertices', 'edges', 'triangles', ...(inSpace ? ['tetrahedra'] : [])].map(
+      (text, k) => ({
+        colour: kDimensionColours[k],
+        text,
+      }),
+    );
   }
   return inSpace
     ? [
@@ -194,7 +205,8 @@ export function coloursOf(snapshot: Snapshot): Colour[] {
   const colours: Colour[] = ['role', 'component', 'dimension', 'void'];
   if (snapshot.labels.element) colours.push('element');
   if (snapshot.labels.residue_id?.words.some(Boolean)) colours.push('residue');
-  if ((snapshot.labels.chain?.words.length ?? 0) > 0 && snapshot.labels.chain?.words.some(Boolean)) colours.push('chain');
+  if ((snapshot.labels.chain?.words.length ?? 0) > 0 && snapshot.labels.chain?.words.some(Boolean))
+    colours.push('chain');
   return colours;
 }
 

@@ -31,7 +31,12 @@ const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] *
 /** Where points are drawn; what is clipped or moved is nowhere or elsewhere. */
 export type Place = (point: number) => Vector;
 
-function nearer(best: Hit | null, dimension: number, simplex: number, distance: number): Hit | null {
+function nearer(
+  best: Hit | null,
+  dimension: number,
+  simplex: number,
+  distance: number,
+): Hit | null {
   if (!(distance > 0) || (best && best.distance <= distance)) return best;
   return { dimension, simplex, distance };
 }

@@ -72,17 +72,27 @@ export function quantitiesOf(snapshot: Snapshot): Quantity[] {
     power: null,
     values: once(() => fromZero(betti)),
   }));
-  const add = (name: string, title: string, power: number | null, values: () => ArrayLike<number>) =>
-    quantities.push({ name, title, power, values: once(values) });
+  const add = (
+    name: string,
+    title: string,
+    power: number | null,
+    values: () => ArrayLike<number>,
+  ) => quantities.push({ name, title, power, values: once(values) });
   add('volume', inSpace ? 'Volume' : 'Area', D, () => fromZero(snapshot.volume));
   add('area', inSpace ? 'Surface area, both sides' : 'Perimeter, both sides', D - 1, () =>
     twoSidedArea(snapshot),
   );
-  add('area_regular', inSpace ? 'Area of the regular part' : 'Length of the regular part', D - 1, () =>
-    fromZero(snapshot.areaRegular),
+  add(
+    'area_regular',
+    inSpace ? 'Area of the regular part' : 'Length of the regular part',
+    D - 1,
+    () => fromZero(snapshot.areaRegular),
   );
-  add('area_singular', inSpace ? 'Area of the singular part' : 'Length of the singular part', D - 1, () =>
-    fromZero(snapshot.areaSingular),
+  add(
+    'area_singular',
+    inSpace ? 'Area of the singular part' : 'Length of the singular part',
+    D - 1,
+    () => fromZero(snapshot.areaSingular),
   );
   if (inSpace) add('length', 'Length: 4π × mean width', 1, () => fromZero(snapshot.length));
   add('euler', 'Euler number', null, () => eulerNumbers(snapshot));

@@ -15,7 +15,8 @@ import {
   type Vector,
 } from './camera';
 import { kQuad, type SimplexList } from './complex_mesh';
-import { kRoleColours, kDimensionColours, type Colouring, type Rgb } from './palette';
+import { dimensionApart, isVisible, keepsColour, lineColours, plainColour } from './layers';
+import { kDimensionColours, kRoleColours, type Colouring, type Rgb } from './palette';
 import {
   kBallFragment,
   kBallVertex,
@@ -27,7 +28,7 @@ import {
   kTriangleVertex,
 } from './shaders';
 import type { ShapeModel } from './shape_model';
-import { isShown, kExplodedParts, type Layer, type State } from './state';
+import { isShown, type State } from './state';
 import { kNone } from './types';
 
 const kTexelsAcross = 2048;
@@ -73,7 +74,8 @@ function tableTexture(data: Data, count: number): three.DataTexture {
 
 function cornersTexture(corners: Uint32Array, width: number, count: number): three.DataTexture {
   const table = new Uint32Array(4 * count);
-  for (let i = 0; i < count; ++i) for (let c = 0; c < width; ++c) table[4 * i + c] = corners[width * i + c];
+  for (let i = 0; i < count; ++i)
+    for (let c = 0; c < width; ++c) table[4 * i + c] = corners[width * i + c];
   return tableTexture(table, count);
 }
 
@@ -96,7 +98,9 @@ class Drawable {
     this.index = new three.BufferAttribute(elements, 1).setUsage(three.DynamicDrawUsage);
     geometry.setIndex(this.index);
     geometry.setDrawRange(0, isLines ? Infinity : 0);
-    this.object = isLines ? new three.LineSegments(geometry, material) : new three.Mesh(geometry, material);
+    this.object = isLines
+      ? new three.LineSegments(geometry, material)
+      : new three.Mesh(geometry, material);
     this.object.frustumCulled = false;
     this.uniforms = material.uniforms;
   }
@@ -206,8 +210,12 @@ export class Scene {
   private table(texture: three.DataTexture): three.DataTexture {
     const most = this.renderer.capabilities.maxTextureSize;
     if (texture.image.height > most) {
-      const [count, limit] = [texture.image.height, most].map((rows) => (rows * kTexelsAcross).toLocaleString('en'));
-      throw new TooLarge(`a table of it has ${count} entries, and this graphics processor takes ${limit} at most`);
+      const [count, limit] = [texture.image.height, most].map((rows) =>
+        (rows * kTexelsAcross).toLocaleString('en'),
+      );
+      throw new TooLarge(
+        `a table of it has ${count} entries, and this graphics processor takes ${limit} at most`,
+      );
     }
     this.tables.push(texture);
     this.bytes += (texture.image.data as unknown as ArrayBufferView).byteLength;
@@ -216,11 +224,20 @@ export class Scene {
 
   private corners(dimension: number): three.DataTexture {
     const { corners, count } = this.model.snapshot.simplices[dimension];
-    return (this.cornerTextures[dimension] ??= this.table(cornersTexture(corners, dimension + 1, count)));
+    return (this.cornerTextures[dimension] ??= this.table(
+      cornersTexture(corners, dimension + 1, count),
+    ));
   }
 
   private material(vertex: string, fragment: string, own: Uniforms): three.RawShaderMaterial {
-    const uniforms = { ...this.shared, opacity: { value: 1 }, colouring: { value: 0 }, isFlat: { value: this.isPlanar }, isPlanar: { value: this.isPlanar }, ...own };
+    const uniforms = {
+      ...this.shared,
+      opacity: { value: 1 },
+      colouring: { value: 0 },
+      isFlat: { value: this.isPlanar },
+      isPlanar: { value: this.isPlanar },
+      ...own,
+    };
     return new three.RawShaderMaterial({
       glslVersion: three.GLSL3,
       vertexShader: vertex,
@@ -239,13 +256,22 @@ export class Scene {
     return drawable;
   }
 
-  private addList(name: string, list: SimplexList, make: (elements: Uint32Array) => Drawable): Drawable {
+  private addList(
+    name: string,
+    list: SimplexList,
+    make: (elements: Uint32Array) => Drawable,
+  ): Drawable {
     const drawable = this.add(name, make(list.elements));
     this.lists.push({ name, list, drawable });
     return drawable;
   }
 
-  private triangles(elements: Uint32Array, colour: Rgb, hasInside: boolean, isSolid = false): Drawable {
+  private triangles(
+    elements: Uint32Array,
+    colour: Rgb,
+    hasInside: boolean,
+    isSolid = false,
+  ): Drawable {
     const material = this.material(kTriangleVertex, kTriangleFragment, {
       corners: { value: this.corners(isSolid ? 3 : 2) },
       colour: { value: unit(colour) },
@@ -297,7 +323,8 @@ export class Scene {
     const { meshes, pointCount, snapshot } = this.model;
     const [vertices, edges, triangles] = meshes;
     const colours = kRoleColours;
-    const balls = (pixels: number) => (elements: Uint32Array) => this.balls(elements, colours.vertex, pixels);
+    const balls = (pixels: number) => (elements: Uint32Array) =>
+      this.balls(elements, colours.vertex, pixels);
     const edgesOf = (colour: Rgb, pixels: number) => (elements: Uint32Array) =>
       this.edges(elements, colour, { pixels: { value: pixels } });
     const trianglesOf = (colour: Rgb, hasInside: boolean) => (elements: Uint32Array) =>
@@ -311,10 +338,19 @@ export class Scene {
     this.add('wireframe', this.wireframe());
     if (bonds.length > 0) this.add('sticks', this.sticks(bonds, [120, 128, 140], 0.14));
     if (trace.length > 0) this.add('trace', this.sticks(trace, [52, 58, 70], 0.32));
-    this.addList('singular_edges', edges.list('singular'), edgesOf(colours.edge, this.isPlanar ? 3 : 2.6));
+    this.addList(
+      'singular_edges',
+      edges.list('singular'),
+      edgesOf(colours.edge, this.isPlanar ? 3 : 2.6),
+    );
     if (this.isPlanar) this.addList('regular', edges.list('regular'), edgesOf(colours.regular, 4));
-    this.addList('singular_triangles', triangles.list('singular'), trianglesOf(colours.singular, false));
-    if (!this.isPlanar) this.addList('regular', triangles.list('regular'), trianglesOf(colours.regular, true));
+    this.addList(
+      'singular_triangles',
+      triangles.list('singular'),
+      trianglesOf(colours.singular, false),
+    );
+    if (!this.isPlanar)
+      this.addList('regular', triangles.list('regular'), trianglesOf(colours.regular, true));
     const pointSize = !this.isPlanar ? 4 : pointCount < 600 ? 6 : pointCount < 3000 ? 4 : 2.5;
     this.add('points', this.balls(quads(pointCount), [70, 78, 92], pointSize));
     this.addList('singular_vertices', vertices.list('singular'), balls(7));
@@ -333,7 +369,9 @@ export class Scene {
 
   private wireframe(): Drawable {
     const elements = this.model.snapshot.simplices[1].corners;
-    const material = this.material(kLineVertex, kLineFragment, { colour: { value: new three.Vector3() } });
+    const material = this.material(kLineVertex, kLineFragment, {
+      colour: { value: new three.Vector3() },
+    });
     material.transparent = true;
     material.depthWrite = false;
     const wireframe = new Drawable(elements, material, true);
@@ -390,27 +428,18 @@ export class Scene {
       this.bytes += data.byteLength;
     };
     const vertexCount = this.model.snapshot.simplices[0].count;
-    if (vertices) fill(this.colourTexture, this.model.pointCount, (p) => vertices(p < vertexCount ? p : kNone));
-    if (facets && !this.isPlanar) fill(this.facetColours, this.model.snapshot.facetOwners.length, facets);
-    const byDimension = state.colour === 'dimension';
-    const role = kRoleColours;
-    const plain: Record<string, Rgb> = {
-      regular: byDimension ? kDimensionColours[this.isPlanar ? 1 : 2] : role.regular,
-      singular_triangles: byDimension ? kDimensionColours[2] : role.singular,
-      interior: byDimension ? kDimensionColours[2] : role.interior,
-      singular_edges: byDimension ? kDimensionColours[1] : role.edge,
-      singular_vertices: byDimension ? kDimensionColours[0] : role.vertex,
-    };
+    if (vertices)
+      fill(this.colourTexture, this.model.pointCount, (p) => vertices(p < vertexCount ? p : kNone));
+    if (facets && !this.isPlanar)
+      fill(this.facetColours, this.model.snapshot.facetOwners.length, facets);
     for (const [name, drawable] of Object.entries(this.layers)) {
       if (!drawable) continue;
       const isTriangle = name === 'regular' || name === 'singular_triangles';
       const takesOwn = facets && isTriangle && !this.isPlanar;
-      drawable.uniforms.colouring.value = takesOwn ? 2 : vertices ? 1 : 0;
-      if (plain[name]) drawable.uniforms.colour.value = unit(plain[name]);
-      if (name.endsWith('_balls') && !vertices) {
-        drawable.uniforms.colour.value = unit(this.isPlanar ? [168, 201, 228] : [150, 190, 222]);
-      }
-      if (name === 'points' || name === 'power_cells' || name === 'trace' || name === 'wireframe') drawable.uniforms.colouring.value = 0;
+      const colouring = takesOwn ? 2 : vertices ? 1 : 0;
+      drawable.uniforms.colouring.value = keepsColour(name) ? 0 : colouring;
+      const colour = plainColour(name, state, this.isPlanar);
+      if (colour) drawable.uniforms.colour.value = unit(colour);
     }
   }
 
@@ -437,21 +466,14 @@ export class Scene {
   }
 
   private showLayers(state: State): void {
-    const clips = state.clipAxis !== 'off';
-    const apart = state.explosion > 0 ? kExplodedParts.indexOf(state.explodedPart) - 1 : -1;
+    const apart = dimensionApart(state);
     if (apart >= 0 && !this.layers[`apart_${apart}`]) {
       this.addApart(apart);
       this.updateLists();
     }
-    const shows = (name: string): boolean => {
-      if (name.startsWith('apart_')) return name === `apart_${apart}`;
-      if (apart >= 0) return false; // simplices by themselves are seen alone
-      if (name === 'singular_balls' || name === 'regular_balls') return isShown(state, 'balls') && !clips;
-      if (name === 'all_balls') return isShown(state, 'balls') && clips;
-      if (name === 'power_cells') return isShown(state, 'power_cells') && isShown(state, 'balls');
-      return isShown(state, name as Layer);
-    };
-    for (const [name, drawable] of Object.entries(this.layers)) if (drawable) drawable.object.visible = shows(name);
+    for (const [name, drawable] of Object.entries(this.layers)) {
+      if (drawable) drawable.object.visible = isVisible(name, state);
+    }
     this.layers.all_balls!.show(6 * this.model.snapshot.simplices[0].count);
     this.layers.points!.show(6 * this.model.pointCount);
   }
@@ -465,10 +487,14 @@ export class Scene {
     const balls = isShown(state, 'balls') ? Math.sqrt(Math.max(0, this.largestRadius2(state))) : 0;
     const reach = (1.05 + balls) * spread + offCentre;
     const isOrthographic = this.isPlanar || state.projection === 'orthographic';
-    const range: [number, number] = isOrthographic ? [camera.distance - reach, camera.distance + reach] : depthRange(camera, reach);
+    const range: [number, number] = isOrthographic
+      ? [camera.distance - reach, camera.distance + reach]
+      : depthRange(camera, reach);
     const u = this.shared;
     u.view.value.fromArray(viewMatrix(camera));
-    u.projection.value.fromArray(projectionMatrix(camera, this.aspect, isOrthographic, range, this.shift));
+    u.projection.value.fromArray(
+      projectionMatrix(camera, this.aspect, isOrthographic, range, this.shift),
+    );
     u.clipPlane.value.set(...this.clipPlane(state, camera));
     u.viewport.value.set(this.width, this.height);
     u.explosion.value = 1.6 * state.explosion;
@@ -477,7 +503,11 @@ export class Scene {
     u.fog.value = unit(fog);
     u.fogRange.value.set(camera.distance - 0.35, camera.distance + 1.9);
     u.isOrthographic.value = isOrthographic;
-    u.alpha2.value = Number.isFinite(state.alpha2) ? state.alpha2 * this.model.scale ** 2 : state.alpha2 > 0 ? 1e6 : -1e6;
+    u.alpha2.value = Number.isFinite(state.alpha2)
+      ? state.alpha2 * this.model.scale ** 2
+      : state.alpha2 > 0
+        ? 1e6
+        : -1e6;
     u.planarDepth.value = Math.max(1e-12, this.largestRadius2(state));
     this.setLook(state, isDark);
     this.renderer.render(this.world, this.eye);
@@ -489,7 +519,8 @@ export class Scene {
     if (this.largestWeight === null) {
       this.largestWeight = -Infinity;
       const { points, pointCount } = this.model;
-      for (let p = 0; p < pointCount; ++p) this.largestWeight = Math.max(this.largestWeight, points[4 * p + 3]);
+      for (let p = 0; p < pointCount; ++p)
+        this.largestWeight = Math.max(this.largestWeight, points[4 * p + 3]);
     }
     const radius2 = this.largestWeight + state.alpha2 * this.model.scale ** 2;
     return Number.isFinite(radius2) ? radius2 : 0;
@@ -512,10 +543,10 @@ export class Scene {
       const drawable = this.layers[name];
       if (drawable) drawable.uniforms.outline.value = 0.38;
     }
-    this.layers.wireframe!.uniforms.colour.value = unit(isDark ? [190, 200, 215] : [70, 80, 96]);
-    this.layers.points!.uniforms.colour.value = unit(isDark ? [200, 208, 220] : [62, 70, 84]);
-    if (this.layers.trace) this.layers.trace.uniforms.colour.value = unit(isDark ? [226, 230, 236] : [58, 64, 76]);
-    if (this.layers.power_cells) this.layers.power_cells.uniforms.colour.value = unit(isDark ? [20, 24, 32] : [255, 255, 255]);
+    for (const [name, colour] of Object.entries(lineColours(isDark))) {
+      const drawable = this.layers[name];
+      if (drawable) drawable.uniforms.colour.value = unit(colour);
+    }
   }
 
   private report(begin: number): FrameReport {
@@ -539,5 +570,6 @@ export class Scene {
     for (const drawable of Object.values(this.layers)) drawable?.dispose();
     for (const texture of this.tables) texture.dispose();
     this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 }

@@ -132,7 +132,8 @@ function numberVertices(mesh: ShapeMesh, snapshot: Snapshot): void {
   });
   mesh.coordinates = new Float64Array(3 * mesh.rows.length);
   mesh.rows.forEach((row, v) => {
-    for (let axis = 0; axis < D; ++axis) mesh.coordinates[3 * v + axis] = snapshot.coordinates[D * row + axis];
+    for (let axis = 0; axis < D; ++axis)
+      mesh.coordinates[3 * v + axis] = snapshot.coordinates[D * row + axis];
   });
   for (const corners of [...mesh.triangles, ...mesh.edges]) {
     corners.forEach((v, i) => (corners[i] = number[v]));

@@ -54,7 +54,12 @@ export class SignaturePlot {
     const height = Math.max(30, this.host.clientHeight);
     const distr = !data.isLog ? 1 : isPositive(data) ? 3 : 4;
     const asinh = Math.max(1e-12, (data.range[1] - data.range[0]) / 1000);
-    const place = distr === 1 ? (x: number) => x : distr === 3 ? Math.log : (x: number) => Math.asinh(x / asinh);
+    const place =
+      distr === 1
+        ? (x: number) => x
+        : distr === 3
+          ? Math.log
+          : (x: number) => Math.asinh(x / asinh);
     const [first, last] = indicesBetween(data.x, ...data.range);
     const columns = Math.round(width * window.devicePixelRatio);
     const curve = stepCurve(data.x, data.y, first, last, place, columns);
@@ -79,12 +84,27 @@ export class SignaturePlot {
         padding: [6, 2, data.hasAxis ? 0 : 5, 0],
         scales: {
           x: { time: false, distr, asinh, range: () => data.range } as uPlot.Scale,
-          y: { range: (_, low, high) => (low === high ? [low - 1, high + 1] : [Math.min(0, low), high + 0.06 * (high - low)]) },
+          y: {
+            range: (_, low, high) =>
+              low === high ? [low - 1, high + 1] : [Math.min(0, low), high + 0.06 * (high - low)],
+          },
         },
         series: [{}, { stroke: look.curve, fill: look.fill, width: 1.5, points: { show: false } }],
         axes: [
-          { ...axis(data.hasAxis), size: 24, gap: 2, space: 60, values: (_, splits) => splits.map((x) => (x === null ? null : shownNumber(x, 4))) },
-          { ...axis(true), size: 52, gap: 4, space: 22, values: (_, splits) => splits.map((y) => (y === null ? null : shownNumber(y, 4))) },
+          {
+            ...axis(data.hasAxis),
+            size: 24,
+            gap: 2,
+            space: 60,
+            values: (_, splits) => splits.map((x) => (x === null ? null : shownNumber(x, 4))),
+          },
+          {
+            ...axis(true),
+            size: 52,
+            gap: 4,
+            space: 22,
+            values: (_, splits) => splits.map((y) => (y === null ? null : shownNumber(y, 4))),
+          },
         ],
       },
       [curve.x, curve.y],

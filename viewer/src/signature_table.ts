@@ -9,7 +9,10 @@ import type { Snapshot } from './types';
 
 const kRowsAPart = 10_000;
 
-function columnsOf(snapshot: Snapshot, quantities: readonly Quantity[]): [string, (index: number) => string][] {
+function columnsOf(
+  snapshot: Snapshot,
+  quantities: readonly Quantity[],
+): [string, (index: number) => string][] {
   const { spectrum, facts } = snapshot;
   const number = (x: number) => (Number.isFinite(x) ? shortestText(x) : '');
   const of = (name: string): [string, (index: number) => string] => {

@@ -72,7 +72,12 @@ export class Stage {
   private firstCamera(): Camera {
     const { facts } = this.snapshot;
     const { points, pointCount } = this.model;
-    const camera = startCamera(points, pointCount, facts.dimension, facts.weights === 'molecule_radii');
+    const camera = startCamera(
+      points,
+      pointCount,
+      facts.dimension,
+      facts.weights === 'molecule_radii',
+    );
     const { clientWidth, clientHeight } = this.canvas;
     const narrow = clientHeight / Math.max(1, clientWidth - this.margin());
     return { ...camera, distance: camera.distance * Math.max(1, Math.min(4, narrow)) };
@@ -108,7 +113,10 @@ export class Stage {
       this.events.coloured(colouring);
     }
     const parts = state.explosion > 0 && state.explodedPart === 'components';
-    const source = state.wave !== null && state.picked ? `${state.picked.dimension}.${state.picked.simplex}` : '';
+    const source =
+      state.wave !== null && state.picked
+        ? `${state.picked.dimension}.${state.picked.simplex}`
+        : '';
     const offset = parts || source ? `${parts} ${source} ${state.index}` : '';
     if (offset !== '' && offset !== this.offset) this.scene.setOffsets(this.offsets(parts));
     this.offset = offset;
@@ -129,7 +137,8 @@ export class Stage {
       });
       of.forEach((group, v) => {
         if (group === kNone) return;
-        for (let axis = 0; axis < 3; ++axis) offsets[4 * v + axis] = sums[4 * group + axis] / sums[4 * group + 3];
+        for (let axis = 0; axis < 3; ++axis)
+          offsets[4 * v + axis] = sums[4 * group + axis] / sums[4 * group + 3];
       });
     }
     const ways = this.waysFromPicked();
@@ -146,7 +155,8 @@ export class Stage {
     const sources = [...corners.subarray(width * picked.simplex, width * (picked.simplex + 1))];
     const positions = new Float32Array(3 * this.snapshot.simplices[0].count);
     for (let v = 0; v < positions.length / 3; ++v) {
-      for (let axis = 0; axis < 3; ++axis) positions[3 * v + axis] = this.model.points[4 * v + axis];
+      for (let axis = 0; axis < 3; ++axis)
+        positions[3 * v + axis] = this.model.points[4 * v + axis];
     }
     const ways = distancesAt(this.snapshot, index, sources, positions);
     let longest = 0;
@@ -172,7 +182,10 @@ export class Stage {
 
   /** Looks along an axis, or at the broad side. */
   lookFrom(side: 'front' | 'broad'): void {
-    const turn = side === 'front' ? ([0, 0, 0, 1] as const) : broadSide(this.model.points, this.model.pointCount);
+    const turn =
+      side === 'front'
+        ? ([0, 0, 0, 1] as const)
+        : broadSide(this.model.points, this.model.pointCount);
     this.moveCamera({ ...this.firstCamera(), turn });
   }
 
@@ -218,14 +231,19 @@ export class Stage {
     context.drawImage(this.canvas, 0, 0);
     this.resize();
     return new Promise((resolve, reject) =>
-      copy.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('The picture is too large.'))), 'image/png'),
+      copy.toBlob(
+        (blob) => (blob ? resolve(blob) : reject(new Error('The picture is too large.'))),
+        'image/png',
+      ),
     );
   }
 
   private listen(): void {
     const { signal } = this.stop;
-    const on = <K extends keyof HTMLElementEventMap>(type: K, react: (event: HTMLElementEventMap[K]) => void) =>
-      this.canvas.addEventListener(type, react, { signal, passive: false });
+    const on = <K extends keyof HTMLElementEventMap>(
+      type: K,
+      react: (event: HTMLElementEventMap[K]) => void,
+    ) => this.canvas.addEventListener(type, react, { signal, passive: false });
     on('pointerdown', (event) => {
       this.canvas.setPointerCapture(event.pointerId);
       this.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
@@ -235,7 +253,8 @@ export class Stage {
     const release = (event: PointerEvent) => {
       const isClick = this.pointers.size === 1 && this.moved < 4 && event.button === 0;
       this.pointers.delete(event.pointerId);
-      if (isClick && event.type === 'pointerup') this.events.picked(this.pick(event.offsetX, event.offsetY));
+      if (isClick && event.type === 'pointerup')
+        this.events.picked(this.pick(event.offsetX, event.offsetY));
     };
     on('pointerup', release);
     on('pointercancel', release);
@@ -284,7 +303,8 @@ export class Stage {
     }
     const isPlanar = this.snapshot.facts.dimension === 2;
     const pans = isPlanar || event.buttons === 2 || event.buttons === 4 || event.shiftKey;
-    if (event.ctrlKey || event.altKey || event.metaKey) this.moveCamera(rolled(this.camera, -0.008 * dx));
+    if (event.ctrlKey || event.altKey || event.metaKey)
+      this.moveCamera(rolled(this.camera, -0.008 * dx));
     else if (pans) this.moveCamera(panned(this.camera, dx / clientHeight, -dy / clientHeight));
     else this.moveCamera(orbited(this.camera, 0.008 * dx, 0.008 * dy));
   }
@@ -319,20 +339,29 @@ export class Stage {
     const [, edges, triangles] = snapshot.simplices;
     // Simplices that have moved apart are not where they belong.
     if (state.explosion > 0) return null;
-    const list = (k: number, role: 'singular' | 'regular' | 'interior') => model.meshes[k].list(role);
+    const list = (k: number, role: 'singular' | 'regular' | 'interior') =>
+      model.meshes[k].list(role);
     let hit: Hit | null = null;
     const isPlanar = snapshot.facts.dimension === 2;
-    if (isShown(state, 'regular') && !isPlanar) hit = pickTriangle(hit, wide, list(2, 'regular'), triangles.corners, place, isSeen);
-    if (isShown(state, 'singular_triangles')) hit = pickTriangle(hit, wide, list(2, 'singular'), triangles.corners, place, isSeen);
-    if (isShown(state, 'interior')) hit = pickTriangle(hit, wide, list(2, 'interior'), triangles.corners, place, isSeen);
-    if (isShown(state, 'singular_edges')) hit = pickEdge(hit, wide, list(1, 'singular'), edges.corners, place, isSeen);
-    if (isShown(state, 'regular') && isPlanar) hit = pickEdge(hit, wide, list(1, 'regular'), edges.corners, place, isSeen);
-    const used = (role: 'singular' | 'regular') => list(0, role).simplices.subarray(0, list(0, role).size);
-    if (isShown(state, 'singular_vertices')) hit = pickBall(hit, wide, used('singular'), place, () => 0, isSeen);
+    if (isShown(state, 'regular') && !isPlanar)
+      hit = pickTriangle(hit, wide, list(2, 'regular'), triangles.corners, place, isSeen);
+    if (isShown(state, 'singular_triangles'))
+      hit = pickTriangle(hit, wide, list(2, 'singular'), triangles.corners, place, isSeen);
+    if (isShown(state, 'interior'))
+      hit = pickTriangle(hit, wide, list(2, 'interior'), triangles.corners, place, isSeen);
+    if (isShown(state, 'singular_edges'))
+      hit = pickEdge(hit, wide, list(1, 'singular'), edges.corners, place, isSeen);
+    if (isShown(state, 'regular') && isPlanar)
+      hit = pickEdge(hit, wide, list(1, 'regular'), edges.corners, place, isSeen);
+    const used = (role: 'singular' | 'regular') =>
+      list(0, role).simplices.subarray(0, list(0, role).size);
+    if (isShown(state, 'singular_vertices'))
+      hit = pickBall(hit, wide, used('singular'), place, () => 0, isSeen);
     if (isShown(state, 'balls') && !isPlanar) {
       const alpha2 = state.alpha2 * model.scale ** 2;
       const radius = (p: number) => Math.sqrt(model.points[4 * p + 3] + alpha2) || NaN;
-      for (const role of ['singular', 'regular'] as const) hit = pickBall(hit, wide, used(role), place, radius, isSeen);
+      for (const role of ['singular', 'regular'] as const)
+        hit = pickBall(hit, wide, used(role), place, radius, isSeen);
     }
     if (isShown(state, 'points')) {
       const all = Array.from({ length: snapshot.simplices[0].count }, (_, i) => i);

@@ -22,10 +22,24 @@ export const kLayers = [
 ] as const;
 export type Layer = (typeof kLayers)[number];
 
-export const kColours = ['role', 'component', 'dimension', 'element', 'residue', 'chain', 'void'] as const;
+export const kColours = [
+  'role',
+  'component',
+  'dimension',
+  'element',
+  'residue',
+  'chain',
+  'void',
+] as const;
 export type Colour = (typeof kColours)[number];
 
-export const kExplodedParts = ['components', 'vertices', 'edges', 'triangles', 'tetrahedra'] as const;
+export const kExplodedParts = [
+  'components',
+  'vertices',
+  'edges',
+  'triangles',
+  'tetrahedra',
+] as const;
 export type ExplodedPart = (typeof kExplodedParts)[number];
 
 export type ClipAxis = 'off' | 'x' | 'y' | 'z' | 'view';
@@ -79,7 +93,7 @@ export function startState(snapshot: Snapshot): State {
     start: { index, reason },
     layers,
     // Of a thin shell some triangles bound flat tetrahedra and some none: that says little at first.
-    colour: isSurface ? 'component' : 'role',
+    colour: isSurface && facts.edges < 1_000_000 ? 'component' : 'role',
     opacity: 1,
     projection: inSpace ? 'perspective' : 'orthographic',
     clipAxis: 'off',
@@ -156,8 +170,15 @@ export function spokenState(state: State, snapshot: Snapshot): string {
   if (state.index === 0) return 'Empty complex, nothing is in the shape yet';
   const words =
     facts.dimension === 3
-      ? [['component', 'components'], ['tunnel', 'tunnels'], ['void', 'voids']]
-      : [['component', 'components'], ['hole', 'holes']];
+      ? [
+          ['component', 'components'],
+          ['tunnel', 'tunnels'],
+          ['void', 'voids'],
+        ]
+      : [
+          ['component', 'components'],
+          ['hole', 'holes'],
+        ];
   const counts = words.map(([one, many], k) => {
     const count = betti[k][state.index - 1];
     return `${count} ${count === 1 ? one : many}`;

@@ -44,7 +44,7 @@ export function stepCurve(
   const width = (place(x[last]) - begin) / columns;
   const columnOf = (i: number) =>
     width > 0 ? Math.min(columns - 1, Math.floor((place(x[i]) - begin) / width)) : 0;
-  for (let i = first; i <= last; ) {
+  for (let i = first; i <= last;) {
     const column = columnOf(i);
     let [least, largest] = [i, i];
     const start = i;

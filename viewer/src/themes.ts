@@ -20,14 +20,26 @@ export interface Look {
 }
 
 const kPlots: Record<ThemeName, PlotLook> = {
-  light: { curve: '#2f78bf', fill: 'rgba(47, 120, 191, 0.13)', grid: 'rgba(30, 40, 60, 0.07)', text: '#596273' },
-  dark: { curve: '#6fb2ec', fill: 'rgba(111, 178, 236, 0.16)', grid: 'rgba(220, 230, 250, 0.08)', text: '#a3acba' },
+  light: {
+    curve: '#2f78bf',
+    fill: 'rgba(47, 120, 191, 0.13)',
+    grid: 'rgba(30, 40, 60, 0.07)',
+    text: '#596273',
+  },
+  dark: {
+    curve: '#6fb2ec',
+    fill: 'rgba(111, 178, 236, 0.16)',
+    grid: 'rgba(220, 230, 250, 0.08)',
+    text: '#a3acba',
+  },
 };
 
 export function lookOf(theme: ThemeName, background: State['background']): Look {
   const plot = kPlots[theme];
-  if (background === 'white') return { plot, isDark: false, background: '#ffffff', plain: '#ffffff', fog: [255, 255, 255] };
-  if (background === 'black') return { plot, isDark: true, background: '#000000', plain: '#000000', fog: [0, 0, 0] };
+  if (background === 'white')
+    return { plot, isDark: false, background: '#ffffff', plain: '#ffffff', fog: [255, 255, 255] };
+  if (background === 'black')
+    return { plot, isDark: true, background: '#000000', plain: '#000000', fog: [0, 0, 0] };
   const isDark = theme === 'dark';
   return {
     plot,

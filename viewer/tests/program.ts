@@ -49,7 +49,11 @@ export async function snapshotOf(input: string, ...args: string[]): Promise<Snap
 /** A row of `orthoball signatures --json`, by the names that the columns of the CSV have. */
 export type SignatureRow = Record<string, number | null>;
 
-export function signatureRows(input: string, indices: readonly number[], ...args: string[]): SignatureRow[] {
+export function signatureRows(
+  input: string,
+  indices: readonly number[],
+  ...args: string[]
+): SignatureRow[] {
   const rows = JSON.parse(
     orthoball('signatures', input, '--index', indices.join(','), '--json', ...args).toString(),
   ) as Record<string, number | null | number[]>[];
@@ -64,7 +68,10 @@ export function signatureRows(input: string, indices: readonly number[], ...args
 
 /** `count` indices spread over 1..size, both ends among them. */
 export function spread(size: number, count: number): number[] {
-  const indices = Array.from({ length: count }, (_, i) => 1 + Math.round((i * (size - 1)) / (count - 1)));
+  const indices = Array.from(
+    { length: count },
+    (_, i) => 1 + Math.round((i * (size - 1)) / (count - 1)),
+  );
   return [...new Set(indices)];
 }
 

@@ -32,7 +32,10 @@ export class Viewer {
   }
 
   /** Opens the page that the program makes of an input, and waits until it shows something. */
-  async open(input: string, { args = [], hash = '' }: { args?: string[]; hash?: string } = {}): Promise<Page> {
+  async open(
+    input: string,
+    { args = [], hash = '' }: { args?: string[]; hash?: string } = {},
+  ): Promise<Page> {
     return this.openText(orthoball('view', input, '-o', '-', ...args), { hash });
   }
 
@@ -58,7 +61,8 @@ export class Viewer {
       // Software rendering is slow at reading pixels back, and says so.
       if (message.type() === 'error') this.faults.push(`said ${message.text()}`);
     });
-    if (!isFirstVisit) await page.addInitScript(() => localStorage.setItem('orthoball-hint', 'seen'));
+    if (!isFirstVisit)
+      await page.addInitScript(() => localStorage.setItem('orthoball-hint', 'seen'));
     await prepare(page);
     await page.goto(`file://${path}${hash}`);
     await page.waitForFunction(() => {
@@ -118,7 +122,8 @@ export async function settled(page: Page): Promise<void> {
 /** The shape as it is drawn now, without what lies above it: a text, equal for equal pictures. */
 export async function picture(page: Page): Promise<string> {
   await settled(page);
-  const style = '.overlay, .buttons, .hint { visibility: hidden !important } canvas { outline: 0 !important }';
+  const style =
+    '.overlay, .buttons, .hint { visibility: hidden !important } canvas { outline: 0 !important }';
   const shot = await page.locator('canvas').first().screenshot({ style });
   return shot.toString('base64');
 }

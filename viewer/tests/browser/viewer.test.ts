@@ -41,7 +41,12 @@ describe.each([
         ...(dimension === 2 ? { interior: row.interior_2 } : {}),
       });
       const betti = await page.locator('[data-betti]').getAttribute('data-betti');
-      expect(betti).toBe([0, 1, 2].slice(0, dimension).map((k) => row[`betti_${k}`]).join(' '));
+      expect(betti).toBe(
+        [0, 1, 2]
+          .slice(0, dimension)
+          .map((k) => row[`betti_${k}`])
+          .join(' '),
+      );
     }
     await page.context().close();
   });
@@ -69,7 +74,8 @@ describe('the slider', () => {
 
   it('goes to notable alphas by Page Up and by their marks', async () => {
     const summary = JSON.parse(orthoball('summary', kSurface, '--json').toString());
-    const indexOf = (name: string): number => summary.notable.find((n: { name: string }) => n.name === name).index;
+    const indexOf = (name: string): number =>
+      summary.notable.find((n: { name: string }) => n.name === name).index;
     await goToIndex(page, indexOf('gap_0'));
     await page.locator('canvas').first().focus();
     await page.keyboard.press('PageUp');
@@ -102,7 +108,9 @@ describe('the slider', () => {
     const line = orthoball('signatures', kSurface, '--alpha', '0.3').toString().split('\n')[1];
     await waitForIndex(page, Number(line.split(',')[0]));
     const slider = page.getByRole('slider', { name: /^alpha/ });
-    expect(await slider.getAttribute('aria-valuetext')).toBe('alpha 0.3, 2 components, 4 tunnels, 2 voids');
+    expect(await slider.getAttribute('aria-valuetext')).toBe(
+      'alpha 0.3, 2 components, 4 tunnels, 2 voids',
+    );
   });
 
   it('sends little for a step, and tells what it cost', async () => {
@@ -110,7 +118,9 @@ describe('the slider', () => {
     await page.locator('canvas').first().focus();
     await page.keyboard.press('ArrowRight');
     await waitForIndex(page, 4001);
-    const [bytes, drawCalls, milliseconds] = JSON.parse((await page.getAttribute('#viewer', 'data-cost'))!);
+    const [bytes, drawCalls, milliseconds] = JSON.parse(
+      (await page.getAttribute('#viewer', 'data-cost'))!,
+    );
     expect(bytes).toBeGreaterThan(0);
     expect(bytes).toBeLessThan(40_000);
     expect(drawCalls).toBeLessThan(10);
@@ -125,7 +135,9 @@ describe('the slider', () => {
     }
     await page.getByRole('button', { name: 'log', exact: true }).click();
     const select = page.getByLabel('Quantity of curve 1');
-    const names = await select.locator('option').evaluateAll((all) => all.map((o) => (o as HTMLOptionElement).value));
+    const names = await select
+      .locator('option')
+      .evaluateAll((all) => all.map((o) => (o as HTMLOptionElement).value));
     const row = signatureRows(kSurface, [3000])[0];
     for (const name of names) {
       await select.selectOption(name);
@@ -169,12 +181,27 @@ describe('looking', () => {
       seen.add(await picture(page));
       expect(seen.size, `${what} changes nothing`).toBe(++count);
     };
-    const toggles = ['Surface', 'Singular triangles', 'Input points', 'Whole triangulation', 'Backbone', 'Bonds', 'Union of balls'];
+    const toggles = [
+      'Surface',
+      'Singular triangles',
+      'Input points',
+      'Whole triangulation',
+      'Backbone',
+      'Bonds',
+      'Union of balls',
+    ];
     for (const name of toggles) {
       await page.getByLabel(name, { exact: true }).click();
       await see(name);
     }
-    for (const name of ['Input points', 'Whole triangulation', 'Backbone', 'Bonds', 'Singular triangles', 'Surface']) {
+    for (const name of [
+      'Input points',
+      'Whole triangulation',
+      'Backbone',
+      'Bonds',
+      'Singular triangles',
+      'Surface',
+    ]) {
       await page.getByLabel(name, { exact: true }).click();
     }
     await page.getByLabel('Union of balls').click();
@@ -213,7 +240,11 @@ describe('looking', () => {
 
   it('says of a picked simplex who it is, with its three values', async () => {
     const page = await viewer.open(kSurface);
-    const simplices = orthoball('filter', kSurface, '--json').toString().trim().split('\n').map((line) => JSON.parse(line));
+    const simplices = orthoball('filter', kSurface, '--json')
+      .toString()
+      .trim()
+      .split('\n')
+      .map((line) => JSON.parse(line));
     const box = (await page.locator('canvas').first().boundingBox())!;
     const card = page.getByRole('region', { name: 'What was picked' });
     let found = 0;
@@ -222,10 +253,14 @@ describe('looking', () => {
       await settled(page);
       if ((await card.count()) === 0) continue;
       ++found;
-      const rows = [...(await card.locator('li').allTextContents()).join(' ').matchAll(/row (\d+)/g)].map(([, row]) => Number(row));
+      const rows = [
+        ...(await card.locator('li').allTextContents()).join(' ').matchAll(/row (\d+)/g),
+      ].map(([, row]) => Number(row));
       const simplex = simplices.find(({ vertices }) => vertices.join() === rows.join());
       const cells = await card.locator('tr').allTextContents();
-      const shown = cells.map((text) => (text.includes('never') ? null : Number(text.split(/\s+/).at(-1)!.replace(/,/g, ''))));
+      const shown = cells.map((text) =>
+        text.includes('never') ? null : Number(text.split(/\s+/).at(-1)!.replace(/,/g, '')),
+      );
       expect(shown).toEqual([simplex.enters, simplex.regular, simplex.interior]);
     }
     expect(found).toBe(5);
@@ -259,7 +294,16 @@ describe('in the plane', () => {
   it('disks, their power cells, points and the triangulation are layers', async () => {
     const page = await viewer.open(kPlane, { hash: '#alpha2=0.01' });
     const seen = new Set([await picture(page)]);
-    for (const name of ['Union of disks', 'Power cells in the disks', 'Triangles', 'Outline', 'Input points', 'Whole triangulation', 'Triangle sides', 'Triangles']) {
+    for (const name of [
+      'Union of disks',
+      'Power cells in the disks',
+      'Triangles',
+      'Outline',
+      'Input points',
+      'Whole triangulation',
+      'Triangle sides',
+      'Triangles',
+    ]) {
       await page.getByLabel(name, { exact: true }).click();
       if (name !== 'Triangle sides') seen.add(await picture(page)); // triangles are hidden then
     }
@@ -280,7 +324,8 @@ describe('a large set', () => {
     for (let i = 0; i < side ** 3; ++i) {
       const grid = [i % side, Math.floor(i / side) % side, Math.floor(i / side ** 2)];
       const place = grid.map((c) => (1.6 * (c - side / 2) + random()).toFixed(3));
-      if (Math.hypot(...grid.map((c) => c - side / 2)) < side / 2) atoms.push(`${'CNO'[i % 3]} ${place.join(' ')}`);
+      if (Math.hypot(...grid.map((c) => c - side / 2)) < side / 2)
+        atoms.push(`${'CNO'[i % 3]} ${place.join(' ')}`);
     }
     return `${atoms.length}\n\n${atoms.join('\n')}\n`;
   }
@@ -294,7 +339,10 @@ describe('a large set', () => {
       expect(size).toBeGreaterThan(1_048_576); // measures are rounded to 24 bits
       for (const row of signatureRows(input, [await shownIndex(page), Math.round(size / 2)])) {
         await goToIndex(page, row.index!);
-        expect(await drawn(page)).toMatchObject({ regular: row.regular_2, singular_triangles: row.singular_2 });
+        expect(await drawn(page)).toMatchObject({
+          regular: row.regular_2,
+          singular_triangles: row.singular_2,
+        });
         const shown = await page.locator('dd').first().getAttribute('data-value');
         expect(Math.abs(Number(shown) / row.volume! - 1)).toBeLessThan(1e-7);
       }
@@ -311,7 +359,10 @@ describe('a large set', () => {
 
 describe('saving', () => {
   async function saved(page: Page, button: string): Promise<{ name: string; bytes: Buffer }> {
-    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: button }).click()]);
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: button }).click(),
+    ]);
     return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
   }
 
@@ -326,7 +377,9 @@ describe('saving', () => {
     await page.getByLabel('Format of the mesh').selectOption(format);
     const { name, bytes } = await saved(page, 'Save the shape');
     expect(name).toBe(input.replace(/.*\//, '').replace(/\.\w+$/, `.${format}`));
-    expect(bytes.equals(orthoball('shape', input, '--index', String(index), '--format', format))).toBe(true);
+    expect(
+      bytes.equals(orthoball('shape', input, '--index', String(index), '--format', format)),
+    ).toBe(true);
     await page.context().close();
   });
 
@@ -341,6 +394,25 @@ describe('saving', () => {
     expect(await picture(page)).toBe(before);
     const table = (await saved(page, 'Save signatures')).bytes.toString();
     expect(table.trim().split('\n').length).toBe(1 + (await spectrumSize(page)));
+    await page.context().close();
+  });
+});
+
+describe('the end', () => {
+  it('leaves nothing behind: no element, no key, no graphics context', async () => {
+    const page = await viewer.open(kSurface);
+    const isLost = await page.evaluate(() => {
+      const host = document.getElementById('viewer')!;
+      const gl = host.querySelector('canvas')!.getContext('webgl2')!;
+      host.dispatchEvent(new Event('orthoball-dispose'));
+      return new Promise((resolve) => setTimeout(() => resolve(gl.isContextLost()), 300));
+    });
+    expect(isLost).toBe(true);
+    expect(await page.locator('#viewer').innerHTML()).toBe('');
+    const index = await shownIndex(page);
+    await page.keyboard.press('ArrowRight');
+    await settled(page);
+    expect(await shownIndex(page)).toBe(index);
     await page.context().close();
   });
 });
@@ -384,8 +456,14 @@ describe('trouble', () => {
   it.each([
     ['is not there', (data: string) => data && ''],
     ['is cut short', (data: string) => data.slice(0, 4 * Math.floor(data.length / 8))],
-    ['has a wrong byte', (data: string) => data.slice(0, 9000) + (data[9000] === 'A' ? 'B' : 'A') + data.slice(9001)],
-    ['has a letter that does not belong there', (data: string) => `${data.slice(0, 800)}%${data.slice(801)}`],
+    [
+      'has a wrong byte',
+      (data: string) => data.slice(0, 9000) + (data[9000] === 'A' ? 'B' : 'A') + data.slice(9001),
+    ],
+    [
+      'has a letter that does not belong there',
+      (data: string) => `${data.slice(0, 800)}%${data.slice(801)}`,
+    ],
   ])('is told where the data %s', async (_, damage) => {
     const text = page();
     const data = dataOf(text);
@@ -405,19 +483,26 @@ describe('trouble', () => {
       loss.loseContext();
     });
     const restore = () =>
-      opened.evaluate(() => (window as unknown as { loss: { restoreContext: () => void } }).loss.restoreContext());
+      opened.evaluate(() =>
+        (window as unknown as { loss: { restoreContext: () => void } }).loss.restoreContext(),
+      );
     await opened.getByText('The graphics processor was lost').waitFor();
     await restore();
     await opened.getByText('The graphics processor was lost').waitFor({ state: 'detached' });
     expect(await picture(opened)).toBe(before);
     // What is chosen meanwhile is shown then.
-    await opened.evaluate(() => (window as unknown as { loss: { loseContext: () => void } }).loss.loseContext());
+    await opened.evaluate(() =>
+      (window as unknown as { loss: { loseContext: () => void } }).loss.loseContext(),
+    );
     await opened.getByText('The graphics processor was lost').waitFor();
     await opened.keyboard.press('End');
     await restore();
     const row = signatureRows(kMolecule, [await spectrumSize(opened)])[0];
     await waitForIndex(opened, row.index!);
-    expect(await drawn(opened)).toMatchObject({ regular: row.regular_2, singular_triangles: row.singular_2 });
+    expect(await drawn(opened)).toMatchObject({
+      regular: row.regular_2,
+      singular_triangles: row.singular_2,
+    });
     await opened.context().close();
   });
 
@@ -432,7 +517,9 @@ describe('trouble', () => {
         }),
     });
     expect(await opened.getAttribute('#viewer', 'data-error')).toBe('too_large');
-    expect(await opened.getByRole('alert').textContent()).toMatch(/takes 2,048 at most.*orthoball shape/);
+    expect(await opened.getByRole('alert').textContent()).toMatch(
+      /takes 2,048 at most.*orthoball shape/,
+    );
     await opened.context().close();
   });
 
@@ -441,8 +528,14 @@ describe('trouble', () => {
       prepare: (p) =>
         p.addInitScript(() => {
           const old = HTMLCanvasElement.prototype.getContext;
-          HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, type: string, ...rest: unknown[]) {
-            return type === 'webgl2' ? null : (old as (...a: unknown[]) => unknown).call(this, type, ...rest);
+          HTMLCanvasElement.prototype.getContext = function (
+            this: HTMLCanvasElement,
+            type: string,
+            ...rest: unknown[]
+          ) {
+            return type === 'webgl2'
+              ? null
+              : (old as (...a: unknown[]) => unknown).call(this, type, ...rest);
           } as typeof old;
         }),
     });
@@ -450,7 +543,9 @@ describe('trouble', () => {
     expect(await opened.getByRole('alert').textContent()).toContain('WebGL 2');
     await opened.keyboard.press('End');
     const slider = opened.getByRole('slider', { name: /^alpha/ });
-    expect(await slider.getAttribute('aria-valuenow')).toBe(await slider.getAttribute('aria-valuemax'));
+    expect(await slider.getAttribute('aria-valuenow')).toBe(
+      await slider.getAttribute('aria-valuemax'),
+    );
     await opened.context().close();
   });
 });
@@ -466,15 +561,33 @@ describe('people', () => {
     const page = await viewer.open(input, { hash });
     await page.evaluate(axe);
     const { violations } = await page.evaluate(() =>
-      (window as unknown as { axe: { run: () => Promise<{ violations: { id: string; impact: string; nodes: { html: string; failureSummary: string }[] }[] }> } }).axe.run(),
+      (
+        window as unknown as {
+          axe: {
+            run: () => Promise<{
+              violations: {
+                id: string;
+                impact: string;
+                nodes: { html: string; failureSummary: string }[];
+              }[];
+            }>;
+          };
+        }
+      ).axe.run(),
     );
-    const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
-    expect(serious.map(({ id, nodes }) => [id, nodes.map((n) => `${n.html} ${n.failureSummary}`)])).toEqual([]);
+    const serious = violations.filter(
+      ({ impact }) => impact === 'serious' || impact === 'critical',
+    );
+    expect(
+      serious.map(({ id, nodes }) => [id, nodes.map((n) => `${n.html} ${n.failureSummary}`)]),
+    ).toEqual([]);
     await page.context().close();
   });
 
   it('are told at their first visit what to do, until they do it', async () => {
-    const page = await viewer.openText(orthoball('view', kSurface, '-o', '-'), { isFirstVisit: true });
+    const page = await viewer.openText(orthoball('view', kSurface, '-o', '-'), {
+      isFirstVisit: true,
+    });
     const hint = page.getByText('Drag to turn');
     await hint.waitFor();
     await page.keyboard.press('ArrowRight');
@@ -488,7 +601,16 @@ describe('people', () => {
       .locator('button, select, input')
       .evaluateAll((all) =>
         (all as HTMLElement[])
-          .filter((e) => e.tabIndex < 0 || !(e.getAttribute('aria-label') || e.title || e.closest('label') || e.textContent?.trim()))
+          .filter(
+            (e) =>
+              e.tabIndex < 0 ||
+              !(
+                e.getAttribute('aria-label') ||
+                e.title ||
+                e.closest('label') ||
+                e.textContent?.trim()
+              ),
+          )
           .map((e) => e.outerHTML),
       );
     expect(unnamed).toEqual([]);

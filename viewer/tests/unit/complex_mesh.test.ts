@@ -42,7 +42,9 @@ describe('ComplexMesh', () => {
     for (const index of walk) {
       mesh.moveTo(index);
       for (const role of kRoles) {
-        const expected = Array.from({ length: 500 }, (_, i) => i).filter((i) => roleAt(triangles, i, index) === role);
+        const expected = Array.from({ length: 500 }, (_, i) => i).filter(
+          (i) => roleAt(triangles, i, index) === role,
+        );
         expect(listed(mesh.list(role)), `${role} at ${index}`).toEqual(expected);
       }
     }
@@ -50,7 +52,9 @@ describe('ComplexMesh', () => {
 
   it('has an index buffer without gaps, and tells all that changed in it', () => {
     const mesh = new ComplexMesh(triangles, kTriangle, size + 1, kRoles);
-    const copies = new Map(kRoles.map((role) => [role, new Uint32Array(mesh.list(role).elements.length)]));
+    const copies = new Map(
+      kRoles.map((role) => [role, new Uint32Array(mesh.list(role).elements.length)]),
+    );
     for (const index of walk) {
       mesh.moveTo(index);
       for (const role of kRoles) {
@@ -60,7 +64,11 @@ describe('ComplexMesh', () => {
           copy.set(list.elements.subarray(start, start + count), start);
         }
         const drawn = copy.subarray(0, 3 * list.size);
-        const expected = [...list.simplices.subarray(0, list.size)].flatMap((t) => [3 * t, 3 * t + 1, 3 * t + 2]);
+        const expected = [...list.simplices.subarray(0, list.size)].flatMap((t) => [
+          3 * t,
+          3 * t + 1,
+          3 * t + 2,
+        ]);
         expect([...drawn]).toEqual(expected);
       }
     }
@@ -73,7 +81,8 @@ describe('ComplexMesh', () => {
     for (const role of kRoles) mesh.list(role).takeChanges();
     expect(mesh.moveTo(5001)).toBeLessThan(60);
     let elements = 0;
-    for (const role of kRoles) for (const { count } of mesh.list(role).takeChanges()) elements += count;
+    for (const role of kRoles)
+      for (const { count } of mesh.list(role).takeChanges()) elements += count;
     expect(elements).toBeGreaterThan(0);
     expect(elements).toBeLessThan(60 * 256 * 3);
   });

@@ -15,25 +15,36 @@ const kInputs = ['bdna_dodecamer.pdb', 'linked_tori.csv', 'figure_eight.csv', 'c
 describe.each(kInputs)('of %s', (name) => {
   const input = sourceFile(`examples/data/${name}`);
 
-  it.each([false, true])('meshes are those of `orthoball shape`, byte for byte (roles: %s)', async (roles) => {
-    const snapshot = await snapshotOf(input);
-    const inSpace = snapshot.facts.dimension === 3;
-    for (const index of [0, ...spread(snapshot.spectrum.length, 5)]) {
-      const mesh = shapeMesh(snapshot, index);
-      for (const format of kMeshFormats.filter((one) => inSpace || one !== 'stl')) {
-        const alpha2 = index === 0 ? -Infinity : snapshot.spectrum[index - 1];
-        const bytes = Buffer.from(meshBytes(mesh, format, { alpha2, roles }));
-        const expected = await inFolder((folder) => {
-          const file = join(folder, `mesh.${format}`);
-          orthoball('shape', input, '--index', String(index), '-o', file, ...(roles ? ['--roles'] : []));
-          return readFileSync(file);
-        });
-        expect(bytes.length, `${format} at ${index}`).toBe(expected.length);
-        if (format === 'stl') expectSameTriangles(bytes, expected);
-        else expect(bytes.equals(expected), `${format} at ${index}`).toBe(true);
+  it.each([false, true])(
+    'meshes are those of `orthoball shape`, byte for byte (roles: %s)',
+    async (roles) => {
+      const snapshot = await snapshotOf(input);
+      const inSpace = snapshot.facts.dimension === 3;
+      for (const index of [0, ...spread(snapshot.spectrum.length, 5)]) {
+        const mesh = shapeMesh(snapshot, index);
+        for (const format of kMeshFormats.filter((one) => inSpace || one !== 'stl')) {
+          const alpha2 = index === 0 ? -Infinity : snapshot.spectrum[index - 1];
+          const bytes = Buffer.from(meshBytes(mesh, format, { alpha2, roles }));
+          const expected = await inFolder((folder) => {
+            const file = join(folder, `mesh.${format}`);
+            orthoball(
+              'shape',
+              input,
+              '--index',
+              String(index),
+              '-o',
+              file,
+              ...(roles ? ['--roles'] : []),
+            );
+            return readFileSync(file);
+          });
+          expect(bytes.length, `${format} at ${index}`).toBe(expected.length);
+          if (format === 'stl') expectSameTriangles(bytes, expected);
+          else expect(bytes.equals(expected), `${format} at ${index}`).toBe(true);
+        }
       }
-    }
-  });
+    },
+  );
 
   it('signatures are those of `orthoball signatures`', async () => {
     const snapshot = await snapshotOf(input);

@@ -7,13 +7,15 @@ import { readSnapshot, SnapshotError } from '../../src/snapshot';
 import { kArrays } from '../../src/types';
 import { orthoball, signatureRows, snapshotOf, sourceFile, spread, textOf } from '../program';
 
-const kInputs = ['bdna_dodecamer.pdb', 'linked_tori.csv', 'figure_eight.csv', 'c60.xyz'].map((name) =>
-  sourceFile(`examples/data/${name}`),
+const kInputs = ['bdna_dodecamer.pdb', 'linked_tori.csv', 'figure_eight.csv', 'c60.xyz'].map(
+  (name) => sourceFile(`examples/data/${name}`),
 );
 
 /** Rows of the tables of the description: names in backticks, then the other cells. */
 function described(heading: string): string[][] {
-  const text = textOf('docs/file_formats/snapshot.md').split(`\n## ${heading}\n`)[1].split('\n## ')[0];
+  const text = textOf('docs/file_formats/snapshot.md')
+    .split(`\n## ${heading}\n`)[1]
+    .split('\n## ')[0];
   return [...text.matchAll(/^\| `(\w+)` \|(.*)\|$/gm)].map(([, name, rest]) => [
     name,
     ...rest.split(' | ').map((cell) => cell.trim()),
@@ -28,7 +30,11 @@ describe('the description of snapshots', () => {
 
   it('lists the members of the header that a program writes', async () => {
     const { facts } = await snapshotOf(kInputs[0]);
-    expect(Object.keys(facts).sort()).toEqual(described('The header').map(([name]) => name).sort());
+    expect(Object.keys(facts).sort()).toEqual(
+      described('The header')
+        .map(([name]) => name)
+        .sort(),
+    );
   });
 });
 
@@ -49,7 +55,11 @@ describe.each(kInputs)('the snapshot of %s', (input) => {
     for (const line of lines) {
       const simplex = JSON.parse(line);
       const { enters, regular, interior } = simplex;
-      expect(own.get(simplex.vertices.join(' '))).toEqual([enters, regular ?? never, interior ?? never]);
+      expect(own.get(simplex.vertices.join(' '))).toEqual([
+        enters,
+        regular ?? never,
+        interior ?? never,
+      ]);
       expect(snapshot.spectrum[enters - 1]).toBe(simplex.alpha2);
     }
   });
@@ -77,6 +87,8 @@ describe('readSnapshot', () => {
     const read = (bytes: Uint8Array<ArrayBuffer>) => () => readSnapshot(bytes);
     expect(read(new Uint8Array(0))).toThrow(SnapshotError);
     expect(read(new TextEncoder().encode('OBsnap9\n and more'))).toThrow('another version');
-    expect(read(new TextEncoder().encode('OBsnap1\n\x40\0\0\0\0\0\0\0{"arrays":[]}'))).toThrow('damaged');
+    expect(read(new TextEncoder().encode('OBsnap1\n\x40\0\0\0\0\0\0\0{"arrays":[]}'))).toThrow(
+      'damaged',
+    );
   });
 });

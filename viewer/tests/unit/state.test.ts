@@ -6,7 +6,15 @@ import { componentsAt, distancesAt, voidsAt } from '../../src/connections';
 import { linkText, stateFromLink } from '../../src/link';
 import { RoleCounts } from '../../src/role_counts';
 import { ShapeModel } from '../../src/shape_model';
-import { atAlpha2, atIndex, atNextNotable, spokenState, startState, stepped, withLayer } from '../../src/state';
+import {
+  atAlpha2,
+  atIndex,
+  atNextNotable,
+  spokenState,
+  startState,
+  stepped,
+  withLayer,
+} from '../../src/state';
 import type { Snapshot } from '../../src/types';
 import { orthoball, signatureRows, snapshotOf, sourceFile, spread } from '../program';
 
@@ -60,13 +68,17 @@ describe('the state', () => {
       seen.push(next.index);
       state = next;
     }
-    const known = new Set(tori.facts.notable.map(({ index }) => index).concat(startState(tori).index));
+    const known = new Set(
+      tori.facts.notable.map(({ index }) => index).concat(startState(tori).index),
+    );
     expect(seen).toEqual([...known].sort((a, b) => a - b));
     expect(atNextNotable(state, tori, -1).index).toBe(seen.at(-2));
   });
 
   it('speaks alpha and the Betti numbers', () => {
-    expect(spokenState(startState(tori), tori)).toMatch(/^alpha 0\.\d+, 2 components, 4 tunnels, 2 voids$/);
+    expect(spokenState(startState(tori), tori)).toMatch(
+      /^alpha 0\.\d+, 2 components, 4 tunnels, 2 voids$/,
+    );
     expect(spokenState(atIndex(startState(tori), tori, 0), tori)).toContain('Empty');
   });
 });
@@ -84,7 +96,10 @@ describe('a link', () => {
       picked: { dimension: 2, simplex: 17 },
     };
     const read = stateFromLink(start, tori, linkText(shown, start, camera));
-    expect({ ...read.state, layers: [...read.state.layers].sort() }).toEqual({ ...shown, layers: [...shown.layers].sort() });
+    expect({ ...read.state, layers: [...read.state.layers].sort() }).toEqual({
+      ...shown,
+      layers: [...shown.layers].sort(),
+    });
     expect(read.camera!.distance).toBeCloseTo(2.5);
   });
 
@@ -94,7 +109,11 @@ describe('a link', () => {
 
   it('passes over what makes no sense', () => {
     const start = startState(tori);
-    const { state, camera } = stateFromLink(start, tori, '#index=x&colour=loud&opacity=7&camera=1+2&picked=9+9&show=regular+nothing');
+    const { state, camera } = stateFromLink(
+      start,
+      tori,
+      '#index=x&colour=loud&opacity=7&camera=1+2&picked=9+9&show=regular+nothing',
+    );
     expect(state).toEqual({ ...start, layers: ['regular'] });
     expect(camera).toBeNull();
   });
@@ -125,7 +144,10 @@ describe('counts by role', () => {
     for (const row of signatureRows(kTori, [1, 5000, 2000, 9000])) {
       for (let k = 0; k <= 3; ++k) {
         const expected = Object.fromEntries(
-          ['exterior', 'singular', 'regular', 'interior'].map((role) => [role, row[`${role}_${k}`]]),
+          ['exterior', 'singular', 'regular', 'interior'].map((role) => [
+            role,
+            row[`${role}_${k}`],
+          ]),
         );
         expect(counter.at(row.index!, k)).toEqual(expected);
       }

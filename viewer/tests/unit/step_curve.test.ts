@@ -33,14 +33,23 @@ describe('stepCurve', () => {
     for (let c = 0; c < 500; ++c) {
       expect(reduced[c][0]).toBeLessThanOrEqual(all[c][0]);
       expect(reduced[c][1]).toBeGreaterThanOrEqual(all[c][1]);
-      expect(reduced[c][1] - all[c][1]).toBeLessThan(0.001 + (all[c][1] > 2 ? 0 : 3.1) * Number(reduced[c][1] > 2));
+      expect(reduced[c][1] - all[c][1]).toBeLessThan(
+        0.001 + (all[c][1] > 2 ? 0 : 3.1) * Number(reduced[c][1] > 2),
+      );
     }
     expect(curve.x.every((at, i) => i === 0 || at >= curve.x[i - 1])).toBe(true);
   });
 
   it('knows no columns where all positions are equal', () => {
     const x = new Array<number>(1000).fill(2);
-    const curve = stepCurve(x, x.map((_, i) => i), 0, 999, identity, 10);
+    const curve = stepCurve(
+      x,
+      x.map((_, i) => i),
+      0,
+      999,
+      identity,
+      10,
+    );
     expect(Math.max(...curve.y)).toBe(999);
   });
 });
