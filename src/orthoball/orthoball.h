@@ -43,6 +43,7 @@
 // output
 #include "orthoball/output/ball_tables.h"
 #include "orthoball/output/byte_sink.h"
+#include "orthoball/output/encoded_output.h"
 #include "orthoball/output/mesh.h"
 #include "orthoball/output/molecule.h"
 #include "orthoball/output/persistence_plot.h"
@@ -54,6 +55,7 @@
 #include "orthoball/output/row_names.h"
 #include "orthoball/output/shape_mesh.h"
 #include "orthoball/output/signature_plot.h"
+#include "orthoball/output/snapshot.h"
 #include "orthoball/output/table_writer.h"
 #include "orthoball/output/tables.h"
 #include "orthoball/output/union_figure.h"

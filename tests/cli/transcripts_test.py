@@ -48,6 +48,8 @@ def faults(document, folder, environment):
                 command, shell=True, cwd=folder, env=environment, text=True, check=False,
                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
             )
+            if "built without the viewer" in result.stdout:
+                continue
             if not matches(expected, result.stdout):
                 name = document.relative_to(ROOT)
                 yield f"{name}: $ {command}\n--- shown\n{expected}--- printed\n{result.stdout}"

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+//
+// One signature as a curve against alpha. The only file that knows uPlot.
+
+import uPlot from 'uplot';
+import 'uplot/dist/uPlot.min.css';
+
+import { shownNumber } from './alpha';
+import { indicesBetween, stepCurve } from './step_curve';
+
+export interface PlotLook {
+  curve: string;
+  fill: string;
+  grid: string;
+  text: string;
+}
+
+export interface PlotData {
+  /** [index], ascending. */
+  x: Float64Array;
+  /** [index] */
+  y: ArrayLike<number>;
+  isLog: boolean;
+  /** What is seen of x. */
+  range: [number, number];
+  /** Whether the axis has its numbers. */
+  hasAxis: boolean;
+}
+
+const kFont = '11px system-ui, sans-serif';
+
+/** Whether a logarithmic axis can be a true one. */
+function isPositive(data: PlotData): boolean {
+  return data.range[0] > 0;
+}
+
+/** A curve in a box of its own, and where on it a place of the page lies. */
+export class SignaturePlot {
+  private plot: uPlot | null = null;
+  private data: PlotData | null = null;
+  private look: PlotLook | null = null;
+
+  /** @param drawn  called whenever places may have become others. */
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly drawn: () => void,
+  ) {}
+
+  show(data: PlotData, look: PlotLook): void {
+    this.plot?.destroy();
+    this.data = data;
+    this.look = look;
+    const width = Math.max(50, this.host.clientWidth);
+    const height = Math.max(30, this.host.clientHeight);
+    const distr = !data.isLog ? 1 : isPositive(data) ? 3 : 4;
+    const asinh = Math.max(1e-12, (data.range[1] - data.range[0]) / 1000);
+    const place =
+      distr === 1
+        ? (x: number) => x
+        : distr === 3
+          ? Math.log
+          : (x: number) => Math.asinh(x / asinh);
+    const [first, last] = indicesBetween(data.x, ...data.range);
+    const columns = Math.round(width * window.devicePixelRatio);
+    const curve = stepCurve(data.x, data.y, first, last, place, columns);
+    if (curve.x.length > 0 && curve.x[curve.x.length - 1] < data.range[1]) {
+      curve.x.push(data.range[1]);
+      curve.y.push(curve.y[curve.y.length - 1]);
+    }
+    const axis = (isShown: boolean) => ({
+      show: isShown,
+      stroke: look.text,
+      font: kFont,
+      grid: { stroke: look.grid, width: 1 },
+      ticks: { show: false },
+    });
+    this.plot = new uPlot(
+      {
+        width,
+        height,
+        legend: { show: false },
+        cursor: { show: false },
+        hooks: { draw: [() => this.drawn()] },
+        padding: [6, 2, data.hasAxis ? 0 : 5, 0],
+        scales: {
+          x: { time: false, distr, asinh, range: () => data.range } as uPlot.Scale,
+          y: {
+            range: (_, low, high) =>
+              low === high ? [low - 1, high + 1] : [Math.min(0, low), high + 0.06 * (high - low)],
+          },
+        },
+        series: [{}, { stroke: look.curve, fill: look.fill, width: 1.5, points: { show: false } }],
+        axes: [
+          {
+            ...axis(data.hasAxis),
+            size: 24,
+            gap: 2,
+            space: 60,
+            values: (_, splits) => splits.map((x) => (x === null ? null : shownNumber(x, 4))),
+          },
+          {
+            ...axis(true),
+            size: 52,
+            gap: 4,
+            space: 22,
+            values: (_, splits) => splits.map((y) => (y === null ? null : shownNumber(y, 4))),
+          },
+        ],
+      },
+      [curve.x, curve.y],
+      this.host,
+    );
+  }
+
+  /** Again, for another size. */
+  resize(): void {
+    if (this.data && this.look) this.show(this.data, this.look);
+  }
+
+  /** CSS pixels from the left of the host to a value of x; NaN where it is not seen. */
+  placeOf(x: number): number {
+    if (!this.plot || !this.data) return NaN;
+    const [from, to] = this.data.range;
+    if (x < from || x > to) return NaN;
+    return this.plot.valToPos(x, 'x') + this.plot.bbox.left / window.devicePixelRatio;
+  }
+
+  /** The value of x at so many CSS pixels from the left of the host, within what is seen. */
+  valueAt(pixels: number): number {
+    if (!this.plot || !this.data) return NaN;
+    const value = this.plot.posToVal(pixels - this.plot.bbox.left / window.devicePixelRatio, 'x');
+    return Math.min(this.data.range[1], Math.max(this.data.range[0], value));
+  }
+
+  dispose(): void {
+    this.plot?.destroy();
+    this.plot = null;
+  }
+}

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: MIT
+//
+// The part of the page in which the shape is seen: keeps model, camera and scene together, answers
+// the mouse, fingers and keys, and draws a frame when something has changed.
+
+import {
+  broadSide,
+  orbited,
+  panned,
+  rayAt,
+  rolled,
+  startCamera,
+  zoomed,
+  type Camera,
+  type Vector,
+} from './camera';
+import { componentsAt, distancesAt } from './connections';
+import { bondsOf, traceOf } from './molecule';
+import { changesWithIndex, colouringOf, type Colouring, type Rgb } from './palette';
+import { pickBall, pickEdge, pickTriangle, type Hit } from './picking';
+import { Scene, type FrameReport } from './scene';
+import { ShapeModel } from './shape_model';
+import { isShown, type Picked, type State } from './state';
+import { kNone, type Snapshot } from './types';
+
+export interface StageEvents {
+  frame: (report: FrameReport) => void;
+  picked: (picked: Picked | null) => void;
+  coloured: (colouring: Colouring) => void;
+  cameraMoved: (camera: Camera) => void;
+  /** False while the graphics context is lost. */
+  available: (isAvailable: boolean) => void;
+}
+
+const kPickPixels = 5;
+const kCardWidth = 286; // CSS pixels on the left, which the shape is not to lie under
+const kNarrow = 700; // CSS pixels; there it does
+
+export class Stage {
+  readonly model: ShapeModel;
+  readonly scene: Scene;
+  camera: Camera;
+  private state: State;
+  private readonly pointers = new Map<number, { x: number; y: number }>();
+  private moved = 0;
+  private frame = 0;
+  private settling = 0;
+  private coloured = '';
+  private offset = '';
+  private background: Rgb = [255, 255, 255];
+  private isDark = false;
+  private readonly stop = new AbortController();
+  private readonly resizes: ResizeObserver;
+
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly snapshot: Snapshot,
+    state: State,
+    private readonly events: StageEvents,
+  ) {
+    this.model = new ShapeModel(snapshot);
+    this.scene = new Scene(canvas, this.model, bondsOf(snapshot), traceOf(snapshot));
+    this.state = state;
+    this.camera = this.firstCamera();
+    this.listen();
+    this.resizes = new ResizeObserver(() => this.resize());
+    this.resizes.observe(canvas);
+    this.resize();
+    this.show(state);
+  }
+
+  private firstCamera(): Camera {
+    const { facts } = this.snapshot;
+    const { points, pointCount } = this.model;
+    const camera = startCamera(
+      points,
+      pointCount,
+      facts.dimension,
+      facts.weights === 'molecule_radii',
+    );
+    const { clientWidth, clientHeight } = this.canvas;
+    const narrow = clientHeight / Math.max(1, clientWidth - this.margin());
+    return { ...camera, distance: camera.distance * Math.max(1, Math.min(4, narrow)) };
+  }
+
+  private margin(): number {
+    return this.canvas.clientWidth > kNarrow ? kCardWidth : 0;
+  }
+
+  /** Shows another state. */
+  show(state: State): void {
+    this.state = state;
+    if (this.model.index !== state.index) {
+      this.model.moveTo(state.index);
+      this.scene.updateLists();
+    } else if (this.coloured === '') {
+      this.scene.updateLists();
+    }
+    // What takes time for the whole complex waits until the slider rests, but for the first time.
+    clearTimeout(this.settling);
+    if (this.coloured === '' || !changesWithIndex(state.colour)) this.settle();
+    else this.settling = window.setTimeout(() => this.settle(), 60);
+    this.draw();
+  }
+
+  private settle(): void {
+    const { state } = this;
+    const coloured = `${state.colour} ${changesWithIndex(state.colour) ? state.index : ''}`;
+    if (coloured !== this.coloured) {
+      this.coloured = coloured;
+      const colouring = colouringOf(this.snapshot, state.colour, state.index);
+      this.scene.setColouring(colouring, state);
+      this.events.coloured(colouring);
+    }
+    const parts = state.explosion > 0 && state.explodedPart === 'components';
+    const source =
+      state.wave !== null && state.picked
+        ? `${state.picked.dimension}.${state.picked.simplex}`
+        : '';
+    const offset = parts || source ? `${parts} ${source} ${state.index}` : '';
+    if (offset !== '' && offset !== this.offset) this.scene.setOffsets(this.offsets(parts));
+    this.offset = offset;
+    this.draw();
+  }
+
+  // [point]: the way of its component from the middle, and its way from the wave's source.
+  private offsets(parts: boolean): Float32Array {
+    const { points, pointCount } = this.model;
+    const offsets = new Float32Array(4 * pointCount);
+    if (parts) {
+      const { of, count } = componentsAt(this.snapshot, this.state.index);
+      const sums = new Float64Array(4 * count);
+      of.forEach((group, v) => {
+        if (group === kNone) return;
+        for (let axis = 0; axis < 3; ++axis) sums[4 * group + axis] += points[4 * v + axis];
+        ++sums[4 * group + 3];
+      });
+      of.forEach((group, v) => {
+        if (group === kNone) return;
+        for (let axis = 0; axis < 3; ++axis)
+          offsets[4 * v + axis] = sums[4 * group + axis] / sums[4 * group + 3];
+      });
+    }
+    const ways = this.waysFromPicked();
+    if (ways) ways.forEach((way, v) => (offsets[4 * v + 3] = way));
+    return offsets;
+  }
+
+  // [vertex]: share of the longest way; 2 for what cannot be reached.
+  private waysFromPicked(): Float64Array | null {
+    const { picked, wave, index } = this.state;
+    if (!picked || wave === null) return null;
+    const { corners } = this.snapshot.simplices[picked.dimension];
+    const width = picked.dimension + 1;
+    const sources = [...corners.subarray(width * picked.simplex, width * (picked.simplex + 1))];
+    const positions = new Float32Array(3 * this.snapshot.simplices[0].count);
+    for (let v = 0; v < positions.length / 3; ++v) {
+      for (let axis = 0; axis < 3; ++axis)
+        positions[3 * v + axis] = this.model.points[4 * v + axis];
+    }
+    const ways = distancesAt(this.snapshot, index, sources, positions);
+    let longest = 0;
+    for (const way of ways) if (Number.isFinite(way)) longest = Math.max(longest, way);
+    return ways.map((way) => (Number.isFinite(way) ? way / (longest || 1) : 2));
+  }
+
+  /** What lies behind the shape: its colour is that of what is far. */
+  setBackground(background: Rgb, isDark: boolean): void {
+    this.background = background;
+    this.isDark = isDark;
+    this.draw();
+  }
+
+  setCamera(camera: Camera): void {
+    this.camera = camera;
+    this.draw();
+  }
+
+  resetCamera(): void {
+    this.moveCamera(this.firstCamera());
+  }
+
+  /** Looks along an axis, or at the broad side. */
+  lookFrom(side: 'front' | 'broad'): void {
+    const turn =
+      side === 'front'
+        ? ([0, 0, 0, 1] as const)
+        : broadSide(this.model.points, this.model.pointCount);
+    this.moveCamera({ ...this.firstCamera(), turn });
+  }
+
+  moveCamera(camera: Camera): void {
+    this.setCamera(camera);
+    this.events.cameraMoved(camera);
+  }
+
+  /** A frame, before the browser paints next. */
+  draw(): void {
+    if (this.frame !== 0) return;
+    this.frame = requestAnimationFrame(() => {
+      this.frame = 0;
+      this.drawNow();
+    });
+  }
+
+  private drawNow(): void {
+    if (this.scene.renderer.getContext().isContextLost()) return;
+    this.events.frame(this.scene.render(this.state, this.camera, this.background, this.isDark));
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.scene.resize(clientWidth, clientHeight, Math.min(window.devicePixelRatio, 2));
+    this.scene.shift = this.margin() / clientWidth;
+    this.drawNow();
+  }
+
+  /** The view as a picture of so many pixels, on a background or none. */
+  async picture(width: number, height: number, background: string | null): Promise<Blob> {
+    this.scene.resize(width, height, 1);
+    this.scene.shift = 0;
+    this.drawNow();
+    const copy = document.createElement('canvas');
+    [copy.width, copy.height] = [width, height];
+    const context = copy.getContext('2d')!;
+    if (background) {
+      context.fillStyle = background;
+      context.fillRect(0, 0, width, height);
+    }
+    context.drawImage(this.canvas, 0, 0);
+    this.resize();
+    return new Promise((resolve, reject) =>
+      copy.toBlob(
+        (blob) => (blob ? resolve(blob) : reject(new Error('The picture is too large.'))),
+        'image/png',
+      ),
+    );
+  }
+
+  private listen(): void {
+    const { signal } = this.stop;
+    const on = <K extends keyof HTMLElementEventMap>(
+      type: K,
+      react: (event: HTMLElementEventMap[K]) => void,
+    ) => this.canvas.addEventListener(type, react, { signal, passive: false });
+    on('pointerdown', (event) => {
+      this.canvas.setPointerCapture(event.pointerId);
+      this.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+      if (this.pointers.size === 1) this.moved = 0;
+    });
+    on('pointermove', (event) => this.drag(event));
+    const release = (event: PointerEvent) => {
+      const isClick = this.pointers.size === 1 && this.moved < 4 && event.button === 0;
+      this.pointers.delete(event.pointerId);
+      if (isClick && event.type === 'pointerup')
+        this.events.picked(this.pick(event.offsetX, event.offsetY));
+    };
+    on('pointerup', release);
+    on('pointercancel', release);
+    on('contextmenu', (event) => event.preventDefault());
+    on('dblclick', () => this.resetCamera());
+    on('wheel', (event) => {
+      event.preventDefault();
+      const lines = event.deltaMode === 1 ? 16 : 1;
+      this.moveCamera(zoomed(this.camera, Math.exp(-0.0015 * lines * event.deltaY)));
+    });
+    this.canvas.addEventListener(
+      'webglcontextlost',
+      (event) => {
+        event.preventDefault();
+        this.events.available(false);
+      },
+      { signal },
+    );
+    this.canvas.addEventListener(
+      'webglcontextrestored',
+      () => {
+        this.events.available(true);
+        this.coloured = '';
+        this.settle();
+        this.drawNow();
+      },
+      { signal },
+    );
+  }
+
+  private drag(event: PointerEvent): void {
+    const pointer = this.pointers.get(event.pointerId);
+    if (!pointer) return;
+    const [dx, dy] = [event.clientX - pointer.x, event.clientY - pointer.y];
+    const others = [...this.pointers].filter(([id]) => id !== event.pointerId).map(([, p]) => p);
+    this.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    this.moved += Math.hypot(dx, dy);
+    const { clientHeight } = this.canvas;
+    if (others.length > 0) {
+      const [other] = others;
+      const before = Math.hypot(pointer.x - other.x, pointer.y - other.y);
+      const now = Math.hypot(event.clientX - other.x, event.clientY - other.y);
+      const zoomedOne = zoomed(this.camera, before > 0 ? now / before : 1);
+      this.moveCamera(panned(zoomedOne, dx / 2 / clientHeight, -dy / 2 / clientHeight));
+      return;
+    }
+    const isPlanar = this.snapshot.facts.dimension === 2;
+    const pans = isPlanar || event.buttons === 2 || event.buttons === 4 || event.shiftKey;
+    if (event.ctrlKey || event.altKey || event.metaKey)
+      this.moveCamera(rolled(this.camera, -0.008 * dx));
+    else if (pans) this.moveCamera(panned(this.camera, dx / clientHeight, -dy / clientHeight));
+    else this.moveCamera(orbited(this.camera, 0.008 * dx, 0.008 * dy));
+  }
+
+  /** Where a point is drawn now. */
+  private placeOf(): (point: number) => Vector {
+    const { points } = this.model;
+    return (p) => [points[4 * p], points[4 * p + 1], points[4 * p + 2]];
+  }
+
+  /** What is seen at a place of the canvas, CSS pixels. */
+  pick(x: number, y: number): Picked | null {
+    const { state, camera, model, snapshot } = this;
+    const { clientWidth, clientHeight } = this.canvas;
+    const isOrthographic = snapshot.facts.dimension === 2 || state.projection === 'orthographic';
+    const ray = rayAt(
+      camera,
+      clientWidth / clientHeight,
+      isOrthographic,
+      (2 * x) / clientWidth - 1 - this.scene.shift,
+      1 - (2 * y) / clientHeight,
+    );
+    const pixel = (2 * Math.tan((Math.PI / 180) * 14)) / clientHeight;
+    const wide = {
+      ...ray,
+      widthPerDistance: isOrthographic ? 0 : kPickPixels * pixel,
+      width: isOrthographic ? kPickPixels * pixel * camera.distance : 0,
+    };
+    const clip = this.scene.clipPlane(state, camera);
+    const isSeen = (p: Vector) => clip[0] * p[0] + clip[1] * p[1] + clip[2] * p[2] + clip[3] <= 0;
+    const place = this.placeOf();
+    const [, edges, triangles] = snapshot.simplices;
+    // Simplices that have moved apart are not where they belong.
+    if (state.explosion > 0) return null;
+    const list = (k: number, role: 'singular' | 'regular' | 'interior') =>
+      model.meshes[k].list(role);
+    let hit: Hit | null = null;
+    const isPlanar = snapshot.facts.dimension === 2;
+    if (isShown(state, 'regular') && !isPlanar)
+      hit = pickTriangle(hit, wide, list(2, 'regular'), triangles.corners, place, isSeen);
+    if (isShown(state, 'singular_triangles'))
+      hit = pickTriangle(hit, wide, list(2, 'singular'), triangles.corners, place, isSeen);
+    if (isShown(state, 'interior'))
+      hit = pickTriangle(hit, wide, list(2, 'interior'), triangles.corners, place, isSeen);
+    if (isShown(state, 'singular_edges'))
+      hit = pickEdge(hit, wide, list(1, 'singular'), edges.corners, place, isSeen);
+    if (isShown(state, 'regular') && isPlanar)
+      hit = pickEdge(hit, wide, list(1, 'regular'), edges.corners, place, isSeen);
+    const used = (role: 'singular' | 'regular') =>
+      list(0, role).simplices.subarray(0, list(0, role).size);
+    if (isShown(state, 'singular_vertices'))
+      hit = pickBall(hit, wide, used('singular'), place, () => 0, isSeen);
+    if (isShown(state, 'balls') && !isPlanar) {
+      const alpha2 = state.alpha2 * model.scale ** 2;
+      const radius = (p: number) => Math.sqrt(model.points[4 * p + 3] + alpha2) || NaN;
+      for (const role of ['singular', 'regular'] as const)
+        hit = pickBall(hit, wide, used(role), place, radius, isSeen);
+    }
+    if (isShown(state, 'points')) {
+      const all = Array.from({ length: snapshot.simplices[0].count }, (_, i) => i);
+      hit = pickBall(hit, wide, all, place, () => 0, isSeen);
+    }
+    return hit && { dimension: hit.dimension, simplex: hit.simplex };
+  }
+
+  /** What is seen in the middle of the view. */
+  pickMiddle(): Picked | null {
+    const { clientWidth, clientHeight } = this.canvas;
+    return this.pick((clientWidth * (1 + this.scene.shift)) / 2, clientHeight / 2);
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.frame);
+    clearTimeout(this.settling);
+    this.stop.abort();
+    this.resizes.disconnect();
+    this.scene.dispose();
+  }
+}
