@@ -125,6 +125,18 @@ std::uint64_t union_memory(const UnionWork& work) {
                                 (kPart + of_voids) * work.sites + kKeptContact * work.contacts);
 }
 
+std::uint64_t molecular_memory(const orthoball::Filtration<3>& filtration, std::uint32_t index) {
+  constexpr std::uint64_t kSite = 150, kTriangle = 1300;  // if all probes reach through
+  std::uint64_t boundary = 0;
+  const std::uint32_t first = filtration.table().first(2);
+  for (std::uint32_t i = 0; i < filtration.count(2); ++i) {
+    const orthoball::SimplexId triangle(first + i);
+    boundary +=
+        filtration.enters(triangle) <= index && filtration.interior(triangle) > index ? 1U : 0U;
+  }
+  return kSite * filtration.triangulation().site_count() + kTriangle * boundary;
+}
+
 std::uint64_t pockets_memory(int dimension, std::size_t cells) {
   return std::uint64_t{dimension == 3 ? 32U : 82U} * cells;
 }

@@ -10,6 +10,7 @@
 
 #include "cli/alpha_options.h"
 #include "cli/input_options.h"
+#include "orthoball/filtration/filtration.h"
 #include "orthoball/points/probe.h"
 #include "orthoball/queries/free_space.h"
 
@@ -65,6 +66,10 @@ void add_lining(nlohmann::ordered_json& json, std::span<const orthoball::LiningB
 // Peaks of memory beyond the filtration, in bytes. The constants are peaks of the resident memory
 // (VmHWM, reset before each work) of the families of benchmarks `atoms` at alpha2 0 and `uniform`
 // where it has most voids, with 100,000 to 1,000,000 sites.
+
+/// Bytes that molecular_surface takes at an index, beyond the union.
+[[nodiscard]] std::uint64_t molecular_memory(const orthoball::Filtration<3>& filtration,
+                                             std::uint32_t index);
 
 /// What of a union of balls is measured.
 struct UnionWork {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -156,11 +157,26 @@ Measured<D> measure(const MeasureOptions& options, const Loaded& input,
   measured.counts = ball_counts(input, filtration, measured.balls);
   if constexpr (D == 3) {
     if (probe.nearest > 0.0) {
+      require_memory(options.balls.input, molecular_memory(filtration, at.index),
+                     "the molecular surface");
       measured.molecular_surface =
           orthoball::molecular_surface(filtration, measured.balls, probe.nearest, threads);
     }
   }
   return measured;
+}
+
+// The molecular volume is a difference of volumes of balls as large as the probe.
+template <int D>
+void warn_of_rounding(const InputOptions& reads, const Measured<D>& measured) {
+  constexpr double kFewDigits = 1e-8;
+  const auto& surface = measured.molecular_surface;
+  if (!surface || !std::isfinite(measured.balls.volume)) return;
+  const double error = 0x1p-51 * measured.balls.volume;
+  if (!(error > kFewDigits * surface->volume)) return;
+  say(reads, fmt::format("warning: beside a probe this large the atoms are tiny; rounding changes "
+                         "the molecular volume by up to {:.1g}",
+                         error));
 }
 
 void run(const MeasureOptions& options) {
@@ -186,10 +202,11 @@ void run(const MeasureOptions& options) {
           for (const orthoball::Void<D>& hole : measured.voids) lining += hole.lining.size();
           require_memory(reads, report_memory(lining, input), "the report");
         }
-        write_tables(options, input, measured, missing);
-        write_pictures(options, input, filtration, measured);
+        // First, for it may be refused.
         write_power_cells(options.cells, reads, input, measured.chosen, filtration, measured.balls,
                           missing);
+        write_tables(options, input, measured, missing);
+        write_pictures(options, input, filtration, measured);
         const std::string report = is_json(options) ? json_report(input, measured, missing.nulls)
                                                     : text_report(input, measured);
         progress.end();
@@ -198,6 +215,7 @@ void run(const MeasureOptions& options) {
           sink.flush();
         });
         warn_without_balls(reads, input, measured.balls.alpha2);
+        warn_of_rounding(reads, measured);
       },
       input.shapes.filtration());
   warn_of_missing(reads, missing.nulls, "null");
@@ -258,7 +276,9 @@ void add_measure_command(CLI::App& app) {
       "null. A ball's part is what its power cell holds of the union; parts add up to the whole.\n"
       "Balls with no part of the surface are buried, those with no power cell hidden.\n"
       "With a probe, in space, volume and area are those that its centre goes around (solvent-\n"
-      "accessible); molecular (solvent-excluded) are those of what the probe never covers.\n\n"
+      "accessible); molecular (solvent-excluded) are those of what the probe never covers. json:\n"
+      "molecular_surface has volume, area, convex_area, toroidal_area and concave_area, or is "
+      "null.\n\n"
       "Tables are JSON where FILE ends in .json, else CSV, with the columns below as keys. row,\n"
       "chain, residue and atom say who a ball is; points and files without names have rows alone.\n"
       "--per-atom: row, chain, residue, atom, element, radius [length] as measured, area\n"

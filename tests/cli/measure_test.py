@@ -88,6 +88,18 @@ class Numbers(Measure):
         self.assertIsNone(self.measure(balls)["molecular_surface"])
         self.assertIsNone(self.measure(EIGHT, "--probe", "1")["molecular_surface"])
 
+    def test_a_huge_probe_leaves_few_digits_and_says_so(self):
+        balls = self.balls("0 0 0 1\n2 0 0 1\n", "two.xyzr")
+        self.assertNotIn("rounding", self.done("measure", balls, "--probe", "10").stderr)
+        self.assertIn("rounding changes the molecular volume by up to",
+                      self.done("measure", balls, "--probe", "1e5").stderr)
+
+    def test_cells_that_are_refused_leave_no_table(self):
+        table, cells = self.folder / "table.csv", self.folder / "cells.csv"
+        far = ",".join(["-1e300"] * 3 + ["1e300"] * 3)
+        self.refused(2, "measure", DNA, "--per-atom", table, "--cells", cells, f"--cells-box={far}")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
     def test_disks(self):
         report = self.measure(self.file("disks.csv", "x,y,r\n0,0,1\n1,0,1\n"), "--radius-column",
                               "r", "--dimension", "2")

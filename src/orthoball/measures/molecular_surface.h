@@ -15,8 +15,10 @@ namespace orthoball {
 ///
 /// Closed forms in every case, also where the surface would meet itself: tori are cut at their
 /// axis, and probes that reach through the triangle they rest on, or into each other, at the planes
-/// between them. Errors are those of rounding, as for UnionOfBalls; all is infinite where the
-/// union's volume or area is.
+/// between them. Errors are those of rounding: of the volume a few 2^-53 of the accessible union's,
+/// of which it is a difference, of areas a few 2^-53 times probe^2 for every arc and triangle. So
+/// of a probe 1000 times as large as the balls the volume has some 7 digits, and none that is a
+/// million times as large. All is infinite where the union's volume or area is.
 struct MolecularSurface {
   double probe = 0.0;   ///< radius; length
   double volume = 0.0;  ///< of the body; length^3
@@ -34,7 +36,8 @@ struct MolecularSurface {
 /// dual complex the nearest of the points where three meet. See
 /// docs/derivations/molecular_surface.md.
 ///
-/// Linear in the boundary of the dual complex; the same on any number of threads.
+/// Nearly linear in the boundary of the dual complex for probes as large as the balls, see
+/// probes_at_rest.h; the same on any number of threads.
 /// @param accessible  union_of_balls of the filtration, whose weights belong to radii with the
 ///                    probe's added, see with_probe.
 /// @param probe       its radius; input units. With 0 the surface is that of the union.

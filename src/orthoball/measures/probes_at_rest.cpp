@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <unordered_set>
 #include <utility>
 
 #include "orthoball/measures/ball_part.h"
@@ -120,10 +121,11 @@ class ProbesAtRest {
   std::span<const Sphere<3>> spheres_;
   double radius_;
   std::vector<Probe> probes_;
-  std::vector<Probe> reaching_;  // those that reach into a cell of the complex
-  Lists beside_;                 // [reaching]: those whose parts may touch its part
-  Lists together_;               // [reaching]: those at the same place, itself among them; none if
-                                 // one before it is exactly there
+  std::vector<Probe> reaching_;       // those that reach into a cell of the complex
+  Lists beside_;                      // [reaching]: those whose parts may touch its part
+  std::vector<std::uint32_t> group_;  // [reaching]: those at the same place, told by the first
+  Lists groups_;                      // [group]: the members
+  std::vector<bool> is_twin_;         // [reaching]: another is exactly there, and has all
 };
 
 void ProbesAtRest::find_probes() {
@@ -196,21 +198,20 @@ void ProbesAtRest::find_reaching(Threads threads) {
   add_edges<2>(triangulation, edges);
   add_edges<3>(triangulation, edges);
   beside_ = lists_of(edges, reaching_.size());
-  // What is at one place is one group, told by its first.
-  std::vector<std::uint32_t> group(reaching_.size());
-  std::iota(group.begin(), group.end(), 0U);
+  group_.resize(reaching_.size());
+  std::iota(group_.begin(), group_.end(), 0U);
   const auto first_of = [&](std::uint32_t place) {
-    while (group[place] != place) place = group[place] = group[group[place]];
+    while (group_[place] != place) place = group_[place] = group_[group_[place]];
     return place;
   };
   const auto join = [&](std::uint32_t a, std::uint32_t b) {
     a = first_of(a);
     b = first_of(b);
-    group[std::max(a, b)] = std::min(a, b);
+    group_[std::max(a, b)] = std::min(a, b);
   };
-  std::vector<bool> is_twin(reaching_.size());
+  is_twin_.assign(reaching_.size(), false);
   for (const Duplicate& twin : triangulation.duplicates()) {
-    is_twin[twin.row.row()] = true;
+    is_twin_[twin.row.row()] = true;
     join(twin.row.row(), twin.representative.row());
   }
   const double near2 = kSamePlace * kSamePlace * radius_ * radius_;
@@ -218,14 +219,11 @@ void ProbesAtRest::find_reaching(Threads threads) {
     if (distance2(reaching_[a].centre, reaching_[b].centre) < near2) join(a, b);
   }
   Pairs members;
-  for (std::uint32_t i = 0; i < reaching_.size(); ++i) members.emplace_back(first_of(i), i);
-  const Lists groups = lists_of(members, reaching_.size());
-  Pairs pairs;
   for (std::uint32_t i = 0; i < reaching_.size(); ++i) {
-    if (is_twin[i]) continue;
-    for (const std::uint32_t member : groups[first_of(i)]) pairs.emplace_back(i, member);
+    group_[i] = first_of(i);
+    members.emplace_back(group_[i], i);
   }
-  together_ = lists_of(pairs, reaching_.size());
+  groups_ = lists_of(members, reaching_.size());
 }
 
 ProbePart ProbesAtRest::over_triangle(const Probe& probe) const {
@@ -251,14 +249,17 @@ ProbePart ProbesAtRest::over_triangle(const Probe& probe) const {
 // All points of the part are seen from the probe within it, so it is found by going through faces
 // that it meets.
 ProbePart ProbesAtRest::in_cells(std::size_t i) const {
+  // Of the probe's disk: what rounding leaves of a face that the ball does not meet is less.
   constexpr double kNothing = 1e-14;
+  if (is_twin_[i]) return {};
   const FromCentre centre = reaching_[i].centre;
   ProbePart sum;
   std::vector<std::uint32_t> found;
+  std::unordered_set<std::uint32_t> known;
   const auto find = [&](std::uint32_t cell) {
-    if (std::find(found.begin(), found.end(), cell) == found.end()) found.push_back(cell);
+    if (known.insert(cell).second) found.push_back(cell);
   };
-  for (const std::uint32_t member : together_[i]) find(reaching_[member].behind);
+  for (const std::uint32_t member : groups_[group_[i]]) find(reaching_[member].behind);
   for (std::size_t next = 0; next < found.size(); ++next) {
     const CellRecord<3>& record = cells_[found[next]];
     std::array<FromCentre, 4> corners{};

@@ -26,8 +26,9 @@ struct ProbePart {
 /// triangle, it is cut at the planes half way to the other probes that do, and has another part, in
 /// the cells of the complex behind: followed from cell to cell as far as it goes.
 ///
-/// Linear for balls and probes of molecules; in general O(n log n) for n triangles and the cells
-/// that parts reach. The same on any number of threads.
+/// Nearly linear for balls and probes of molecules. In general every part takes the cells that it
+/// reaches times the probes that it borders on, and every one of m probes at one place the cells
+/// behind all. The same on any number of threads.
 /// @param spheres  [vertex]: the accessible balls.
 /// @param radius   of the probe, >= 0.
 [[nodiscard]] std::vector<ProbePart> probes_at_rest(const Filtration<3>& filtration,
