@@ -342,6 +342,9 @@ describe('a large set', () => {
       const input = join(folder, 'large.xyz');
       writeFileSync(input, manyAtoms(73));
       const page = await viewer.open(input);
+      expect(Object.keys(await drawn(page)).sort()).toEqual(['regular_balls', 'singular_balls']);
+      await page.getByLabel('Surface', { exact: true }).click();
+      await page.getByLabel('Singular triangles', { exact: true }).click();
       const size = await spectrumSize(page);
       expect(size).toBeGreaterThan(1_048_576); // measures are rounded to 24 bits
       for (const row of signatureRows(input, [await shownIndex(page), Math.round(size / 2)])) {
