@@ -2,7 +2,7 @@
 //
 // What is drawn, by name: which of it is seen in a state, and in what colour. Beside the layers that
 // people choose from there are the balls on the boundary and all of them, and the simplices of one
-// dimension by themselves, "apart_2", for moving apart.
+// dimension by themselves, "apart_2", for moving apart, and the one that was picked, "picked_2".
 
 import { kDimensionColours, kRoleColours, type Rgb } from './palette';
 import { isShown, kExplodedParts, type Layer, type State } from './state';
@@ -15,6 +15,7 @@ export function dimensionApart(state: State): number {
 export function isVisible(name: string, state: State): boolean {
   const apart = dimensionApart(state);
   if (name.startsWith('apart_')) return name === `apart_${apart}`;
+  if (name.startsWith('picked_')) return apart < 0 && name === `picked_${state.picked?.dimension}`;
   if (apart >= 0) return false; // simplices by themselves are seen alone
   const clips = state.clipAxis !== 'off'; // then balls inside are seen too
   if (name === 'singular_balls' || name === 'regular_balls') {
@@ -43,7 +44,9 @@ export function plainColour(name: string, state: State, isPlanar: boolean): Rgb 
 
 /** Layers that have their colour whatever others are coloured by. */
 export function keepsColour(name: string): boolean {
-  return ['points', 'power_cells', 'trace', 'wireframe'].includes(name);
+  return (
+    name.startsWith('picked_') || ['points', 'power_cells', 'trace', 'wireframe'].includes(name)
+  );
 }
 
 /** Colours of layers that are lines and dots between others: they go with what is behind. */

@@ -18,6 +18,8 @@ export const kRoleColours = {
   interior: [158, 172, 190],
 } as const satisfies Record<string, Rgb>;
 
+export const kPickedColour: Rgb = [255, 48, 128];
+
 export const kDimensionColours: readonly Rgb[] = [
   [0, 158, 115],
   [213, 94, 0],

@@ -14,9 +14,15 @@ import {
   type Camera,
   type Vector,
 } from './camera';
-import { kQuad, type SimplexList } from './complex_mesh';
+import { kQuad, kTriangle, SimplexList } from './complex_mesh';
 import { dimensionApart, isVisible, keepsColour, lineColours, plainColour } from './layers';
-import { kDimensionColours, kRoleColours, type Colouring, type Rgb } from './palette';
+import {
+  kDimensionColours,
+  kPickedColour,
+  kRoleColours,
+  type Colouring,
+  type Rgb,
+} from './palette';
 import {
   kBallFragment,
   kBallVertex,
@@ -155,6 +161,8 @@ export class Scene {
   private readonly cornerTextures: (three.DataTexture | null)[];
   private readonly facetColours: three.DataTexture;
   private readonly lists: ListLayer[] = [];
+  /** [dimension]: the simplex that was picked, if any. */
+  private readonly picked = [kQuad, kQuad, kTriangle].map((pattern) => new SimplexList(pattern, 1));
   private readonly layers: Partial<Record<string, Drawable>> = {};
   private readonly tables: three.Texture[] = [];
   /** Of the middle of the view to the right, in half widths. */
@@ -205,6 +213,7 @@ export class Scene {
       planarDepth: { value: 1 },
     };
     this.addLayers(bonds, trace);
+    this.addPicked();
   }
 
   private table(texture: three.DataTexture): three.DataTexture {
@@ -356,6 +365,31 @@ export class Scene {
     this.addList('singular_vertices', vertices.list('singular'), balls(7));
   }
 
+  // Above everything else, so that it is found.
+  private addPicked(): void {
+    const [vertex, edge, triangle] = this.picked.map(({ elements }) => elements);
+    const drawables = [
+      this.balls(vertex, kPickedColour, 12),
+      this.edges(edge, kPickedColour, { pixels: { value: 6 } }),
+      this.triangles(triangle, kPickedColour, false),
+    ];
+    drawables.forEach((drawable, k) => {
+      drawable.material.depthTest = drawable.material.depthWrite = false;
+      drawable.material.transparent = true;
+      drawable.uniforms.opacity.value = 0.85;
+      this.add(`picked_${k}`, drawable);
+    });
+  }
+
+  private showPicked({ picked }: State): void {
+    if (!picked || picked.dimension > 2) return;
+    const list = this.picked[picked.dimension];
+    if (list.size > 0 && list.simplices[0] === picked.simplex) return;
+    list.size = 1;
+    list.put(0, picked.simplex);
+    this.bytes += this.layers[`picked_${picked.dimension}`]!.update(list);
+  }
+
   // All simplices of a dimension by themselves, for moving apart.
   private addApart(dimension: number): void {
     const list = this.model.allOf(dimension).list('interior');
@@ -481,6 +515,7 @@ export class Scene {
   /** Draws a frame. */
   render(state: State, camera: Camera, fog: Rgb, isDark: boolean): FrameReport {
     const begin = performance.now();
+    this.showPicked(state);
     this.showLayers(state);
     const spread = 1 + 2 * state.explosion;
     const offCentre = Math.hypot(...camera.target);

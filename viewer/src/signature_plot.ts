@@ -27,6 +27,11 @@ export interface PlotData {
   hasAxis: boolean;
 }
 
+/** As short as the place beside the axis needs it: "2M" for two millions. */
+function axisNumber(y: number): string {
+  return Math.abs(y) < 1e5 ? shownNumber(y, 4) : y.toLocaleString('en', { notation: 'compact' });
+}
+
 const kFont = '11px system-ui, sans-serif';
 
 /** Whether a logarithmic axis can be a true one. */
@@ -103,7 +108,7 @@ export class SignaturePlot {
             size: 52,
             gap: 4,
             space: 22,
-            values: (_, splits) => splits.map((y) => (y === null ? null : shownNumber(y, 4))),
+            values: (_, splits) => splits.map((y) => (y === null ? null : axisNumber(y))),
           },
         ],
       },

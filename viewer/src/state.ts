@@ -80,12 +80,21 @@ export interface State {
   wave: number | null;
 }
 
+function moleculeColour({ labels }: Snapshot): Colour {
+  if ((labels.chain?.words.length ?? 0) > 1) return 'chain';
+  return labels.element ? 'element' : 'role';
+}
+
 export function startState(snapshot: Snapshot): State {
   const { facts } = snapshot;
   const inSpace = facts.dimension === 3;
-  const layers: Layer[] = ['regular', 'singular_triangles', 'singular_edges', 'singular_vertices'];
+  // Of a large molecule its balls are what people know; the shape inside is a thicket at first.
+  const isLargeMolecule = inSpace && facts.weights === 'molecule_radii' && facts.vertices > 5000;
+  const layers: Layer[] = isLargeMolecule
+    ? ['balls']
+    : ['regular', 'singular_triangles', 'singular_edges', 'singular_vertices'];
   if (!inSpace) layers.push('interior', 'points');
-  if (inSpace && facts.triangles < 60_000) layers.push('outlines');
+  if (inSpace && facts.triangles < 60_000 && !isLargeMolecule) layers.push('outlines');
   const { index, alpha2, reason, isSurface } = firstLook(snapshot);
   return {
     index,
@@ -93,7 +102,11 @@ export function startState(snapshot: Snapshot): State {
     start: { index, reason },
     layers,
     // Of a thin shell some triangles bound flat tetrahedra and some none: that says little at first.
-    colour: isSurface && facts.edges < 1_000_000 ? 'component' : 'role',
+    colour: isLargeMolecule
+      ? moleculeColour(snapshot)
+      : isSurface && facts.edges < 1e6
+        ? 'component'
+        : 'role',
     opacity: 1,
     projection: inSpace ? 'perspective' : 'orthographic',
     clipAxis: 'off',

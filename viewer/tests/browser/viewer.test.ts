@@ -264,8 +264,15 @@ describe('looking', () => {
       expect(shown).toEqual([simplex.enters, simplex.regular, simplex.interior]);
     }
     expect(found).toBe(5);
-    // A wave runs through what hangs together with it, and no further.
+    // It is marked, and a wave runs through what hangs together with it.
     const before = await picture(page);
+    await page.keyboard.press('Escape');
+    expect(await picture(page)).not.toBe(before);
+    await page.locator('canvas').first().focus();
+    for (let x = 330; (await card.count()) === 0; x += 31) {
+      await page.mouse.click(box.x + x, box.y + 0.45 * box.height);
+      await settled(page);
+    }
     await card.getByLabel(/^Way of the wave/).fill('0.4');
     expect(await picture(page)).not.toBe(before);
     await page.keyboard.press('Escape');
@@ -335,6 +342,9 @@ describe('a large set', () => {
       const input = join(folder, 'large.xyz');
       writeFileSync(input, manyAtoms(73));
       const page = await viewer.open(input);
+      expect(Object.keys(await drawn(page)).sort()).toEqual(['regular_balls', 'singular_balls']);
+      await page.getByLabel('Surface', { exact: true }).click();
+      await page.getByLabel('Singular triangles', { exact: true }).click();
       const size = await spectrumSize(page);
       expect(size).toBeGreaterThan(1_048_576); // measures are rounded to 24 bits
       for (const row of signatureRows(input, [await shownIndex(page), Math.round(size / 2)])) {
