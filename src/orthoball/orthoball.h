@@ -10,6 +10,7 @@
 #include "orthoball/memory_budget.h"
 #include "orthoball/parallel.h"
 // points, input
+#include "orthoball/input/probe_radius.h"
 #include "orthoball/input/read.h"
 #include "orthoball/points/probe.h"
 #include "orthoball/points/weighted_points.h"
