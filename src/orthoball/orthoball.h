@@ -37,9 +37,11 @@
 #include "orthoball/signatures/notable_alphas.h"
 #include "orthoball/signatures/signature.h"
 // queries
+#include "orthoball/queries/containment.h"
 #include "orthoball/queries/planar_union.h"
 #include "orthoball/queries/pockets.h"
 #include "orthoball/queries/power_cells.h"
+#include "orthoball/queries/regions.h"
 #include "orthoball/queries/voids.h"
 // output
 #include "orthoball/output/ball_tables.h"

@@ -22,7 +22,7 @@ TEST(ProbeRadius, AWholeNumberWithTrailingZerosKeepsThem) {
 }
 
 TEST(ProbeRadius, WhatIsNoSuchDecimalIsTheNearestDoubleAlone) {
-  for (const char* text : {"0.12345678901234567", "1e17", "1e-401"}) {
+  for (const char* text : {"0.12345678901234567", "1e17"}) {
     EXPECT_FALSE(probe_radius(text).digits.has_value()) << text;
   }
   EXPECT_EQ(probe_radius("1e17").nearest, 1e17);
