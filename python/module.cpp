@@ -15,4 +15,5 @@ NB_MODULE(_core, module) {
   bind_shape(module);
   bind_balls(module);
   bind_free_space(module);
+  bind_queries(module);
 }

@@ -16,7 +16,7 @@ from ._balls import Balls, Contacts, Derivatives, MolecularSurface, Mouth, Pocke
 from ._core import InputError, LimitError, ParseError, Reading, __version__, input_formats
 from ._reading import read
 from ._shape import Shape
-from ._tables import NONE, Diagram, Filtration, NotableAlpha, Role, Signatures, Simplices
+from ._tables import NONE, Diagram, Filtration, NotableAlpha, Region, Role, Signatures, Simplices
 
 __all__ = [
     "NONE",
@@ -34,6 +34,7 @@ __all__ = [
     "ParseError",
     "Pocket",
     "Reading",
+    "Region",
     "Role",
     "Shape",
     "Signatures",

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import as_float64
+from ._arrays import as_float64, as_points
 from ._balls import Balls
 from ._points import sites_of
 from ._shape import Shape
@@ -161,6 +161,19 @@ class AlphaShapes:
         numbers of Role."""
         at, _ = self._chosen(alpha2, alpha, inverse_alpha, index)
         return _core.roles(self._core, dimension, at)
+
+    def enters_at(self, points: Any) -> NDArray[np.uint32]:
+        """(n,) the index from which on each of some points is in the shape, vertices or not; the
+        spectrum's size plus 1 for points outside the convex hull. Exact.
+
+        Args:
+            points: (n, D), taken as the numbers they are. Where the sites are decimals of a file, as
+                the shortest decimals that are these numbers, so that 0.1 is one tenth, if all of
+                them together are whole numbers of at most 2^53 in units of some 10^-k.
+
+        Raises InputError for points of another dimension, and as AlphaShapes does.
+        """
+        return _core.enters_at(self._core, as_points(points), self._threads)
 
     @cached_property
     def signatures(self) -> Signatures:

@@ -273,3 +273,12 @@ def voids(shapes: AlphaShapes, index: int, alpha2: float, of_shape: bool, thread
 
 def pockets(shapes: AlphaShapes, index: int, alpha2: float, threads: int | None) -> list:
     """Pockets of the balls, a dict each."""
+
+def enters_at(shapes: AlphaShapes, points: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], threads: int | None) -> Annotated[NDArray[numpy.uint32], dict(order='C', writable=False)]:
+    """
+    The index at which each point becomes part of the shape, (n,) uint32; the spectrum's
+    size plus 1 outside the convex hull.
+    """
+
+def regions(shapes: AlphaShapes, index: int, joined_by: str) -> list:
+    """The regions of the shape at an index, a dict each."""

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core, _exports
-from ._tables import Role, Signatures
+from ._tables import Region, Role, Signatures
 
 if TYPE_CHECKING:
     from ._alpha_shapes import AlphaShapes
@@ -134,6 +134,28 @@ class Shape:
     def betti(self) -> tuple[int, ...]:
         """Components, tunnels and (in space) voids of the complex."""
         return self._shapes.betti(index=self._index)
+
+    # What is where.
+
+    def regions(self, joined_by: str | None = None) -> tuple[Region, ...]:
+        """Its parts, the largest volume first; equal ones by area, then by the lowest row.
+
+        Args:
+            joined_by: "vertices": the components of the complex, with their singular simplices.
+                "cells": its cells, those with a common vertex in one. "facets": its cells, those with
+                a common facet in one. By default "vertices", of a regularized shape "cells".
+        """
+        by = joined_by or ("cells" if self._regularized else "vertices")
+        return tuple(Region(**one) for one in _core.regions(self._shapes._core, self._index, by))
+
+    def contains(self, points: Any) -> NDArray[np.bool_]:
+        """(n,) whether points are in the shape, which is closed. Exact. Singular simplices count, also
+        those that a regularized shape leaves out.
+
+        Args:
+            points: (n, D), as in `AlphaShapes.enters_at`.
+        """
+        return self._shapes.enters_at(points) <= self._index
 
     # As objects of other packages, which must be installed, and as files.
 

@@ -108,6 +108,19 @@ class Diagram:
         return f"<orthoball.Diagram of dimension {self.dimension}: {len(self)} classes>"
 
 
+class Region(NamedTuple):
+    """A part of a shape."""
+
+    volume: float
+    """Of its cells, length^D."""
+    area: float
+    """Of its boundary, length^(D-1); singular facets count on both sides."""
+    rows: NDArray[np.uint32]
+    """(k,) its vertices, ascending."""
+    cells: NDArray[np.uint32]
+    """(c, D + 1) its cells, as rows."""
+
+
 class NotableAlpha(NamedTuple):
     """An index that stands out."""
 

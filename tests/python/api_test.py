@@ -13,11 +13,11 @@ import pytest
 
 import orthoball
 from orthoball import _core
-from orthoball.compat import alphashape, gudhi
+from orthoball.compat import alphashape, gudhi, matlab
 
 TESTS = pathlib.Path(__file__).resolve().parent
 PACKAGE = pathlib.Path(orthoball.__file__).resolve().parent
-MODULES = [orthoball, alphashape, gudhi]
+MODULES = [orthoball, alphashape, gudhi, matlab]
 
 
 def public_classes():
@@ -64,6 +64,7 @@ def test_results_have_the_types_that_are_offered(samples):
         orthoball.Diagram: shapes.persistence(0),
         orthoball.NotableAlpha: shapes.automatic_alpha(),
         orthoball.Shape: shapes.shape(),
+        orthoball.Region: shapes.shape().regions()[0],
         orthoball.Balls: balls,
         orthoball.Contacts: balls.contacts,
         orthoball.Derivatives: balls.derivatives,

@@ -7,6 +7,7 @@ import pytest
 from orthoball import AlphaShapes
 from orthoball.compat import alphashape as ours
 from orthoball.compat import gudhi as ours_gudhi
+from orthoball.compat.matlab import alphaShape
 
 pytestmark = pytest.mark.partner
 
@@ -105,3 +106,59 @@ def test_alphashape_takes_and_gives_objects_of_geopandas_and_shapely():
     assert result.geometry[0].equals(expected)
     assert ours.alphashape(shapely.MultiPoint(PLANE), 9.0).equals(expected)
     assert ours.alphashape(PLANE, 1e9).is_empty
+
+
+def test_the_alpha_shape_of_a_block_is_known():
+    grid = np.array([[x, y, z] for x in range(3) for y in range(3) for z in range(3)], dtype=float)
+    block = alphaShape(grid)
+    assert block.Alpha == block.criticalAlpha("all-points") == pytest.approx(3**0.5 / 2)
+    assert block.alphaSpectrum().tolist() == [block.Alpha]
+    assert (block.volume(), block.surfaceArea()) == pytest.approx((8, 24))
+    assert (block.volume(0), block.surfaceArea(0)) == pytest.approx((8, 24))
+    assert block.numRegions() == 1 and np.array_equal(block.Points, grid)
+    assert len(block.boundaryFacets()) == 48
+    assert len(block.alphaTriangulation()) == len(block.alphaTriangulation(0)) == len(block.shape.cells)
+    assert block.inShape([[1, 1, 1], [0, 0, 0], [2.5, 1, 1]]).tolist() == [True, True, False]
+    x, y = np.meshgrid([-1, 0.5], [0.5, 1.5, 9])
+    assert block.inShape(x, y, 1.0).tolist() == [[False, True], [False, True], [False, False]]
+    assert block.shapes.site_count == 27
+    with pytest.raises(ValueError, match="there is surfaceArea"):
+        block.perimeter()
+    with pytest.raises(ValueError, match="there is volume"):
+        block.area()
+    with pytest.raises(ValueError, match="there is no region 1; they are 0 to 0"):
+        block.volume(1)
+    with pytest.raises(ValueError, match="a radius is 0 or more"):
+        block.Alpha = -1
+    with pytest.raises(ValueError, match="the type is 'all'"):
+        block.criticalAlpha("all")
+
+
+def test_the_radius_may_be_given_and_given_anew():
+    shape = alphaShape(PLANE[:, 0], PLANE[:, 1], 0.02)
+    assert shape.Alpha == 0.02
+    many = shape.numRegions()
+    areas = [shape.area(region) for region in range(many)]
+    assert many > 1 and areas == sorted(areas, reverse=True)
+    assert sum(areas) == pytest.approx(shape.area())
+    assert sum(map(shape.perimeter, range(many))) == pytest.approx(shape.perimeter())
+    shape.Alpha = shape.criticalAlpha("one-region")
+    assert shape.numRegions() == 1
+    assert len(np.unique(shape.alphaTriangulation())) == len(PLANE)
+    hull = alphaShape(PLANE, alpha=np.inf)
+    spatial = pytest.importorskip("scipy.spatial")
+    assert hull.area() == pytest.approx(spatial.ConvexHull(PLANE).volume)
+    assert {frozenset(e) for e in hull.boundaryFacets().tolist()} == {
+        frozenset(e) for e in spatial.ConvexHull(PLANE).simplices.tolist()
+    }
+    spectrum = hull.alphaSpectrum()
+    assert (np.diff(spectrum) < 0).all()
+    hull.Alpha = spectrum[0]
+    assert hull.area() == pytest.approx(spatial.ConvexHull(PLANE).volume)
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    assert len(hull.plot().patches) == 1
+    with pytest.raises(ValueError, match="there is area"):
+        hull.volume()
+    with pytest.raises(ValueError, match="there is perimeter"):
+        hull.surfaceArea()

@@ -6,6 +6,7 @@ import json
 import numpy as np
 import pytest
 
+import orthoball
 from orthoball import AlphaShapes, InputError, Role
 
 
@@ -97,6 +98,73 @@ def test_a_plane_shape_has_holes_edges_and_points(ring):
     assert shape.vertices.tolist() == [len(ring) - 1]
     a, b = ring[shape.edges[shape.edge_roles == Role.regular]].transpose(1, 0, 2)
     assert (a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum() / 2 == pytest.approx(shape.volume)
+
+
+def test_regions_are_sorted_by_size(ring):
+    shapes = AlphaShapes(ring)
+    shape = shapes.shape(alpha=0.8)
+    large, pair, alone = shape.regions()
+    assert (large.volume, large.area) == pytest.approx((18, 24 + 4 * 2**0.5))
+    assert len(large.rows) == len(ring) - 3 and len(large.cells) == len(shape.cells)
+    assert pair.rows.tolist() == [len(ring) - 3, len(ring) - 2] and pair.area == 2
+    assert alone.rows.tolist() == [len(ring) - 1] and alone.cells.shape == (0, 3)
+    (solid,) = shape.regions("facets")
+    assert solid.volume == large.volume == shape.regions("cells")[0].volume
+    assert len(shapes.shape(alpha=0.8, regularized=True).regions()) == 1
+    assert shapes.shape(index=0).regions() == ()
+    with pytest.raises(InputError, match='joined by "edges"'):
+        shape.regions("edges")
+
+
+def test_points_are_in_the_shape_or_not(ring):
+    shapes = AlphaShapes(ring)
+    shape = shapes.shape(alpha=0.8)
+    assert shape.contains(ring).all()
+    # Inside, on the boundary, in the hole, on the edge, beside it, far away.
+    points = [[0.5, 0.5], [0, 2.5], [2.5, 2.5], [10.5, 0], [10.5, 1e-300], [-5, 0]]
+    assert shape.contains(points).tolist() == [True, True, False, True, False, False]
+    enters = shapes.enters_at(points)
+    assert enters[-1] == len(shapes.spectrum) + 1
+    assert not shapes.shape(index=enters[2] - 1).contains(points)[2]
+    assert shapes.shape(index=enters[2]).contains(points)[2]
+    with pytest.raises(InputError, match="they must have 2, as the sites do"):
+        shape.contains([[0, 0, 0]])
+    with pytest.raises(InputError, match="row 1: "):
+        shape.contains([[0, 0], [np.nan, 0]])
+
+
+def test_a_decimal_is_in_the_shape_of_its_file(tmp_path):
+    path = tmp_path / "points.csv"
+    path.write_text("x,y\n0.1,0.2\n0.3,0.7\n")
+    shapes = AlphaShapes(orthoball.read(path))
+    assert shapes.shape(index=2).contains([[0.1, 0.2], [0.2, 0.45], [0.2, 0.46]]).tolist() == [
+        True, True, False,
+    ]  # fmt: skip
+
+
+@pytest.mark.partner
+def test_shapely_agrees_about_what_is_inside(plane):
+    shapely = pytest.importorskip("shapely")
+    shape = AlphaShapes(plane).shape()
+    points = np.random.default_rng(5).random((2000, 2))
+    assert np.array_equal(
+        shape.contains(points), shapely.intersects_xy(shape.to_shapely(), *points.T)
+    )
+
+
+@pytest.mark.partner
+def test_scipy_agrees_about_cells_in_space(cloud):
+    spatial = pytest.importorskip("scipy.spatial")
+    shapes = AlphaShapes(cloud)
+    points = np.random.default_rng(6).random((2000, 3))
+    inside = spatial.Delaunay(cloud).find_simplex(points) >= 0
+    assert np.array_equal(shapes.shape(index=len(shapes.spectrum)).contains(points), inside)
+    shape = shapes.shape(alpha=0.12)
+    kept = shape.cells[:, None]
+    edges = np.moveaxis(cloud[kept][..., 1:, :] - cloud[kept][..., :1, :], -1, -2)
+    weights = np.linalg.solve(edges, (points[None] - cloud[kept][..., 0, :])[..., None])[..., 0]
+    in_cells = ((weights >= 0).all(axis=-1) & (weights.sum(axis=-1) <= 1)).any(axis=0)
+    assert np.array_equal(shape.contains(points), in_cells)
 
 
 def test_geojson_has_everything(ring):
