@@ -29,7 +29,9 @@ def polygon(points):
 def gudhi_filtration(precision):
     import gudhi
 
-    return lambda points: gudhi.AlphaComplex(points=points, precision=precision).create_simplex_tree()
+    return lambda points: gudhi.AlphaComplex(
+        points=points, precision=precision
+    ).create_simplex_tree()
 
 
 def delaunay_cech(points):
@@ -94,7 +96,9 @@ def main():
                     continue
                 processor, clock = seconds(work, points, options.runs)
                 first = first or processor
-                print(f"  {name:32}{processor:9.3f}{clock:9.3f}{processor / first:9.1f}", flush=True)
+                print(
+                    f"  {name:32}{processor:9.3f}{clock:9.3f}{processor / first:9.1f}", flush=True
+                )
 
 
 if __name__ == "__main__":

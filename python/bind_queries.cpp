@@ -11,6 +11,7 @@
 #include "orthoball/input/decimal.h"
 #include "orthoball/output/byte_sink.h"
 #include "orthoball/queries/containment.h"
+#include "orthoball/queries/nearest.h"
 #include "orthoball/queries/regions.h"
 #include "python/arrays.h"
 #include "python/module.h"
@@ -98,6 +99,38 @@ nb::list regions(const AlphaShapes& shapes, std::uint32_t index, const std::stri
       shapes.filtration());
 }
 
+// Points, distances and the rows of the simplices, D each, filled up with none.
+nb::tuple nearest(const AlphaShapes& shapes, std::uint32_t index, const Given<double, 2>& points,
+                  bool regularized, std::optional<unsigned> threads) {
+  std::vector<double> coordinates, distances;
+  std::vector<SiteId> rows;
+  without_gil(shapes, [&]<int D>(const Filtration<D>& filtration) {
+    // Refuses what is not finite, naming the row.
+    const WeightedPoints checked(static_cast<int>(points.shape(1)),
+                                 std::vector<double>(points.data(), points.data() + points.size()),
+                                 orthoball::WeightKind::none, {});
+    const auto found = orthoball::nearest_on_boundary<D>(filtration, index, checked, regularized,
+                                                         threads_of(threads));
+    for (const orthoball::BoundaryPoint<D>& one : found) {
+      coordinates.insert(coordinates.end(), one.point.begin(), one.point.end());
+      distances.push_back(one.distance);
+      std::size_t count = 0;
+      if (one.simplex.exists()) {
+        for (const SiteId row : filtration.rows(one.simplex)) {
+          rows.push_back(row);
+          ++count;
+        }
+      }
+      rows.resize(rows.size() + std::size_t{D} - count);
+    }
+  });
+  const std::size_t size = distances.size();
+  const auto axes = static_cast<std::size_t>(shapes.dimension());
+  return nb::make_tuple(owned<double>(std::move(coordinates), {size, axes}),
+                        owned<double>(std::move(distances)),
+                        owned<std::uint32_t>(std::move(rows), {size, axes}));
+}
+
 }  // namespace
 
 void bind_queries(nb::module_& module) {
@@ -105,6 +138,10 @@ void bind_queries(nb::module_& module) {
       "enters_at", &enters_at, nb::arg("shapes"), nb::arg("points"), nb::arg("threads").none(),
       "The index at which each point becomes part of the shape, (n,) uint32; the spectrum's\n"
       "size plus 1 outside the convex hull.");
+  module.def("nearest", &nearest, nb::arg("shapes"), nb::arg("index"), nb::arg("points"),
+             nb::arg("regularized"), nb::arg("threads").none(),
+             "The nearest points of the boundary (n, D), their distances (n,), the rows of their\n"
+             "simplices (n, D) uint32.");
   module.def("regions", &regions, nb::arg("shapes"), nb::arg("index"), nb::arg("joined_by"),
              "The regions of the shape at an index, a dict each.");
 }

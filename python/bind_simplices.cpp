@@ -33,19 +33,6 @@ void for_each(std::size_t size, orthoball::Threads threads, const Write& write) 
 using Rows = orthoball::RawVector<SiteId>;
 using Indices = orthoball::RawVector<std::uint32_t>;
 
-// The rows of simplex(i), `width` places each, the rest filled with none.
-template <int D, class Simplex>
-Rows rows_of(const Filtration<D>& filtration, std::size_t size, std::size_t width,
-             orthoball::Threads threads, const Simplex& simplex) {
-  Rows rows(size * width);
-  for_each(size, threads, [&](std::size_t i) {
-    const auto of_one = filtration.rows(simplex(i));
-    std::fill(std::copy(of_one.begin(), of_one.end(), &rows[i * width]), &rows[i * width] + width,
-              SiteId());
-  });
-  return rows;
-}
-
 void check_dimension(const AlphaShapes& shapes, int dimension) {
   if (dimension >= 0 && dimension <= shapes.dimension()) return;
   using orthoball::InputError;
@@ -55,7 +42,8 @@ void check_dimension(const AlphaShapes& shapes, int dimension) {
 }
 
 template <int D>
-nb::tuple simplices(const Filtration<D>& filtration, int dimension, nb::handle owner) {
+nb::tuple simplices(const Filtration<D>& filtration, int dimension, nb::handle owner,
+                    orthoball::Threads threads) {
   const std::size_t first = filtration.table().first(dimension), size = filtration.count(dimension);
   const auto width = static_cast<std::size_t>(dimension) + 1;
   const auto simplex = [=](std::size_t i) {
@@ -65,11 +53,12 @@ nb::tuple simplices(const Filtration<D>& filtration, int dimension, nb::handle o
   Indices regular, interior;
   {
     const nb::gil_scoped_release released;
-    const orthoball::Threads threads;
-    rows = rows_of(filtration, size, width, threads, simplex);
+    rows.resize(size * width);
     regular.resize(size);
     interior.resize(size);
     for_each(size, threads, [&](std::size_t i) {
+      const auto of_one = filtration.rows(simplex(i));
+      std::copy(of_one.begin(), of_one.end(), &rows[i * width]);
       regular[i] = filtration.regular(simplex(i));
       interior[i] = filtration.interior(simplex(i));
     });
@@ -81,45 +70,76 @@ nb::tuple simplices(const Filtration<D>& filtration, int dimension, nb::handle o
                         owned<std::uint32_t>(std::move(interior)));
 }
 
-template <int D>
-nb::tuple filtration_arrays(const Filtration<D>& filtration, std::uint32_t index) {
+// The columns of a filter, by position.
+struct FilterColumns {
+  explicit FilterColumns(std::size_t size, std::size_t width)
+      : dimensions(size),
+        rows(size * width, SiteId()),
+        alpha2(size),
+        enters(size),
+        regular(size),
+        interior(size) {}
+
   orthoball::RawVector<std::uint8_t> dimensions;
-  Rows rows;
+  Rows rows;  // [width * position + i]
   orthoball::RawVector<double> alpha2;
   Indices enters, regular, interior;
-  std::size_t size = 0;
-  {
-    const nb::gil_scoped_release released;
-    const orthoball::Threads threads;
-    const orthoball::Filter<D> filter(filtration, threads);
-    const std::vector<SimplexId> order = filter.by_rows();
-    size = filter.complex_size(index);
-    for (auto* const column : {&enters, &regular, &interior}) column->resize(size);
-    dimensions.resize(size);
-    alpha2.resize(size);
-    rows = rows_of(filtration, size, D + 1, threads, [&](std::size_t i) { return order[i]; });
-    for_each(size, threads, [&](std::size_t i) {
-      dimensions[i] = static_cast<std::uint8_t>(filtration.dimension(order[i]));
-      enters[i] = filtration.enters(order[i]);
-      regular[i] = filtration.regular(order[i]);
-      interior[i] = filtration.interior(order[i]);
-      alpha2[i] = filtration.alpha2(enters[i]);
+};
+
+// Simplices are visited as they lie in memory and written where they belong, which is faster than
+// the other way round.
+template <int D>
+FilterColumns filter_columns(const Filtration<D>& filtration, std::uint32_t index,
+                             orthoball::Threads threads) {
+  const orthoball::Filter<D> filter(filtration, threads);
+  const std::vector<SimplexId> order = filter.by_rows();
+  const std::size_t size = filter.complex_size(index);
+  Indices position(filtration.size());
+  for_each(order.size(), threads,
+           [&](std::size_t i) { position[order[i].row()] = static_cast<std::uint32_t>(i); });
+  FilterColumns columns(size, D + 1);
+  for (int dimension = 0; dimension <= D; ++dimension) {
+    const std::size_t first = filtration.table().first(dimension);
+    for_each(filtration.count(dimension), threads, [&](std::size_t i) {
+      const SimplexId simplex(static_cast<std::uint32_t>(first + i));
+      const std::size_t at = position[simplex.row()];
+      if (at >= size) return;
+      columns.dimensions[at] = static_cast<std::uint8_t>(dimension);
+      const auto rows = filtration.rows(simplex);
+      std::copy(rows.begin(), rows.end(), &columns.rows[(D + 1) * at]);
+      columns.enters[at] = filtration.enters(simplex);
+      columns.regular[at] = filtration.regular(simplex);
+      columns.interior[at] = filtration.interior(simplex);
+      columns.alpha2[at] = filtration.alpha2(columns.enters[at]);
     });
   }
-  return nb::make_tuple(owned<std::uint8_t>(std::move(dimensions)),
-                        owned<std::uint32_t>(std::move(rows), {size, std::size_t{D} + 1}),
-                        owned<double>(std::move(alpha2)), owned<std::uint32_t>(std::move(enters)),
-                        owned<std::uint32_t>(std::move(regular)),
-                        owned<std::uint32_t>(std::move(interior)));
+  return columns;
+}
+
+template <int D>
+nb::tuple filtration_arrays(const Filtration<D>& filtration, std::uint32_t index,
+                            orthoball::Threads threads) {
+  FilterColumns columns = [&] {
+    const nb::gil_scoped_release released;
+    return filter_columns(filtration, index, threads);
+  }();
+  const std::size_t size = columns.alpha2.size();
+  return nb::make_tuple(owned<std::uint8_t>(std::move(columns.dimensions)),
+                        owned<std::uint32_t>(std::move(columns.rows), {size, std::size_t{D} + 1}),
+                        owned<double>(std::move(columns.alpha2)),
+                        owned<std::uint32_t>(std::move(columns.enters)),
+                        owned<std::uint32_t>(std::move(columns.regular)),
+                        owned<std::uint32_t>(std::move(columns.interior)));
 }
 
 // Of every simplex of a dimension, as the number of its orthoball::Role.
-Array<std::uint8_t> roles(const AlphaShapes& shapes, int dimension, std::uint32_t index) {
+Array<std::uint8_t> roles(const AlphaShapes& shapes, int dimension, std::uint32_t index,
+                          std::optional<unsigned> threads) {
   check_dimension(shapes, dimension);
   auto numbers = without_gil(shapes, [&](const auto& filtration) {
     const std::size_t first = filtration.table().first(dimension);
     orthoball::RawVector<std::uint8_t> of_all(filtration.count(dimension));
-    for_each(of_all.size(), orthoball::Threads(), [&](std::size_t i) {
+    for_each(of_all.size(), threads_of(threads), [&](std::size_t i) {
       const SimplexId simplex(static_cast<std::uint32_t>(first + i));
       of_all[i] = static_cast<std::uint8_t>(filtration.role(simplex, index));
     });
@@ -133,25 +153,29 @@ Array<std::uint8_t> roles(const AlphaShapes& shapes, int dimension, std::uint32_
 void bind_simplices(nb::module_& module) {
   module.def(
       "simplices",
-      [](nb::handle self, int dimension) {
+      [](nb::handle self, int dimension, std::optional<unsigned> threads) {
         const auto& shapes = nb::cast<const AlphaShapes&>(self);
         check_dimension(shapes, dimension);
         return std::visit(
-            [&](const auto& filtration) { return simplices(filtration, dimension, self); },
+            [&](const auto& filtration) {
+              return simplices(filtration, dimension, self, threads_of(threads));
+            },
             shapes.filtration());
       },
-      nb::arg("shapes"), nb::arg("dimension"),
+      nb::arg("shapes"), nb::arg("dimension"), nb::arg("threads").none(),
       "Of one dimension: vertices (k, dimension + 1), enters, regular, interior (k,), all uint32.");
   module.def(
       "filtration",
-      [](const AlphaShapes& shapes, std::uint32_t index) {
-        return std::visit([&](const auto& f) { return filtration_arrays(f, index); },
-                          shapes.filtration());
+      [](const AlphaShapes& shapes, std::uint32_t index, std::optional<unsigned> threads) {
+        return std::visit(
+            [&](const auto& f) { return filtration_arrays(f, index, threads_of(threads)); },
+            shapes.filtration());
       },
-      nb::arg("shapes"), nb::arg("index"),
+      nb::arg("shapes"), nb::arg("index"), nb::arg("threads").none(),
       "The complex at an index in filter order: dimension uint8, vertices (n, D + 1) uint32, "
       "alpha2\n"
       "float64, enters, regular, interior uint32.");
   module.def("roles", &roles, nb::arg("shapes"), nb::arg("dimension"), nb::arg("index"),
+             nb::arg("threads").none(),
              "Of every simplex of a dimension, (k,) uint8: exterior, singular, regular, interior.");
 }

@@ -16,7 +16,17 @@ from ._balls import Balls, Contacts, Derivatives, MolecularSurface, Mouth, Pocke
 from ._core import InputError, LimitError, ParseError, Reading, __version__, input_formats
 from ._reading import read
 from ._shape import Shape
-from ._tables import NONE, Diagram, Filtration, NotableAlpha, Region, Role, Signatures, Simplices
+from ._tables import (
+    NONE,
+    Diagram,
+    Filtration,
+    Nearest,
+    NotableAlpha,
+    Region,
+    Role,
+    Signatures,
+    Simplices,
+)
 
 __all__ = [
     "NONE",
@@ -30,6 +40,7 @@ __all__ = [
     "LimitError",
     "MolecularSurface",
     "Mouth",
+    "Nearest",
     "NotableAlpha",
     "ParseError",
     "Pocket",

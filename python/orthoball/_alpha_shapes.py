@@ -140,13 +140,14 @@ class AlphaShapes:
 
     def simplices(self, dimension: int) -> Simplices:
         """All simplices of a dimension 0 to D of the regular (weighted Delaunay) triangulation."""
-        return Simplices(*_core.simplices(self._core, dimension))
+        return Simplices(*_core.simplices(self._core, dimension, self._threads))
 
     def filtration(self, *, alpha2: float | None = None, index: int | None = None) -> Filtration:
         """All simplices in the exact order of their appearance, or those up to one alpha2."""
         if alpha2 is None and index is None:
             index = len(self.spectrum)
-        return Filtration(*_core.filtration(self._core, self._chosen(alpha2, None, None, index)[0]))
+        at, _ = self._chosen(alpha2, None, None, index)
+        return Filtration(*_core.filtration(self._core, at, self._threads))
 
     def role(
         self,
@@ -160,7 +161,7 @@ class AlphaShapes:
         """(k,) what every simplex of a dimension is in one shape, in the order of `simplices`: the
         numbers of Role."""
         at, _ = self._chosen(alpha2, alpha, inverse_alpha, index)
-        return _core.roles(self._core, dimension, at)
+        return _core.roles(self._core, dimension, at, self._threads)
 
     def enters_at(self, points: Any) -> NDArray[np.uint32]:
         """(n,) the index from which on each of some points is in the shape, vertices or not; the

@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core, _exports
-from ._tables import Region, Role, Signatures
+from ._arrays import as_points
+from ._tables import Nearest, Region, Role, Signatures
 
 if TYPE_CHECKING:
     from ._alpha_shapes import AlphaShapes
@@ -156,6 +157,25 @@ class Shape:
             points: (n, D), as in `AlphaShapes.enters_at`.
         """
         return self._shapes.enters_at(points) <= self._index
+
+    def nearest(self, points: Any) -> Nearest:
+        """The nearest point of the boundary to each of some points, inside or outside.
+
+        The boundary are the regular facets and, but for a regularized shape, all that is singular.
+        Computed in doubles, by a tree of boxes.
+
+        Args:
+            points: (n, D).
+        """
+        return Nearest(
+            *_core.nearest(
+                self._shapes._core,
+                self._index,
+                as_points(points),
+                self._regularized,
+                self._shapes._threads,
+            )
+        )
 
     # As objects of other packages, which must be installed, and as files.
 

@@ -121,6 +121,17 @@ class Region(NamedTuple):
     """(c, D + 1) its cells, as rows."""
 
 
+class Nearest(NamedTuple):
+    """The nearest points of a boundary."""
+
+    points: NDArray[np.float64]
+    """(n, D) where they are; 0 where there is no boundary."""
+    distances: NDArray[np.float64]
+    """(n,) how far away; infinity where there is no boundary."""
+    simplices: NDArray[np.uint32]
+    """(n, D) the simplices that they are on, as rows, filled up with NONE."""
+
+
 class NotableAlpha(NamedTuple):
     """An index that stands out."""
 

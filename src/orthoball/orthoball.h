@@ -38,6 +38,7 @@
 #include "orthoball/signatures/signature.h"
 // queries
 #include "orthoball/queries/containment.h"
+#include "orthoball/queries/nearest.h"
 #include "orthoball/queries/planar_union.h"
 #include "orthoball/queries/pockets.h"
 #include "orthoball/queries/power_cells.h"

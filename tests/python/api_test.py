@@ -64,6 +64,7 @@ def test_results_have_the_types_that_are_offered(samples):
         orthoball.Diagram: shapes.persistence(0),
         orthoball.NotableAlpha: shapes.automatic_alpha(),
         orthoball.Shape: shapes.shape(),
+        orthoball.Nearest: shapes.shape().nearest(shapes.points[:1]),
         orthoball.Region: shapes.shape().regions()[0],
         orthoball.Balls: balls,
         orthoball.Contacts: balls.contacts,

@@ -117,7 +117,11 @@ def test_the_alpha_shape_of_a_block_is_known():
     assert (block.volume(0), block.surfaceArea(0)) == pytest.approx((8, 24))
     assert block.numRegions() == 1 and np.array_equal(block.Points, grid)
     assert len(block.boundaryFacets()) == 48
-    assert len(block.alphaTriangulation()) == len(block.alphaTriangulation(0)) == len(block.shape.cells)
+    assert (
+        len(block.alphaTriangulation())
+        == len(block.alphaTriangulation(0))
+        == len(block.shape.cells)
+    )
     assert block.inShape([[1, 1, 1], [0, 0, 0], [2.5, 1, 1]]).tolist() == [True, True, False]
     x, y = np.meshgrid([-1, 0.5], [0.5, 1.5, 9])
     assert block.inShape(x, y, 1.0).tolist() == [[False, True], [False, True], [False, False]]

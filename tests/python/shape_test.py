@@ -133,6 +133,37 @@ def test_points_are_in_the_shape_or_not(ring):
         shape.contains([[0, 0], [np.nan, 0]])
 
 
+def test_the_nearest_point_of_the_boundary(ring):
+    shapes = AlphaShapes(ring)
+    points, distances, simplices = shapes.shape(alpha=0.8).nearest([[-3, 2], [10.5, 2], [20, 25]])
+    assert points.tolist() == [[0, 2], [10.5, 0], [20, 20]]
+    assert distances.tolist() == [3, 2, 5]
+    last = len(ring) - 1
+    assert simplices[1:].tolist() == [[last - 2, last - 1], [last, orthoball.NONE]]
+    solid = shapes.shape(alpha=0.8, regularized=True).nearest([[20, 25]])
+    assert solid.points.tolist() == [[5, 5]]
+    nothing = shapes.shape(index=0).nearest([[1, 1]])
+    assert np.isinf(nothing.distances).all() and (nothing.simplices == orthoball.NONE).all()
+    with pytest.raises(InputError, match="they must have 2"):
+        shapes.shape().nearest([[0, 0, 0]])
+
+
+@pytest.mark.partner
+def test_trimesh_and_shapely_agree_about_distances(cloud, plane):
+    trimesh, shapely = pytest.importorskip("trimesh"), pytest.importorskip("shapely")
+    shape = AlphaShapes(cloud).shape()
+    points = np.random.default_rng(3).random((60, 3)) * 1.4 - 0.2
+    corners = cloud[shape.triangles]
+    for point, nearest, distance in zip(points, *shape.nearest(points)[:2]):
+        theirs = trimesh.triangles.closest_point(corners, np.broadcast_to(point, (len(corners), 3)))
+        assert distance == pytest.approx(np.linalg.norm(theirs - point, axis=1).min())
+        assert distance == pytest.approx(np.linalg.norm(nearest - point))
+    shape = AlphaShapes(plane).shape()
+    points = np.random.default_rng(4).random((60, 2)) * 1.4 - 0.2
+    theirs = shapely.distance(shape.to_shapely().boundary, shapely.points(points))
+    assert shape.nearest(points).distances == pytest.approx(theirs)
+
+
 def test_a_decimal_is_in_the_shape_of_its_file(tmp_path):
     path = tmp_path / "points.csv"
     path.write_text("x,y\n0.1,0.2\n0.3,0.7\n")

@@ -3,8 +3,8 @@
 
 Exact where MATLAB's is rounded. A simplex whose radius is alpha belongs to the shape. Only cells make
 it: singular triangles, edges and points are left out, but for points exactly on one of them, which
-`inShape` counts. Not here: the thresholds of holes and regions, `nearestNeighbor`, and regions by
-their number in `boundaryFacets`.
+`inShape` counts. Not here: the thresholds of holes and regions, `nearestNeighbor` (see
+`orthoball.Shape.nearest`), and regions by their number in `boundaryFacets`.
 """
 
 from __future__ import annotations

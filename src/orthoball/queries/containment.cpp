@@ -19,13 +19,12 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <string>
 
-#include "orthoball/error.h"
 #include "orthoball/exact/filter_bounds.h"
 #include "orthoball/exact/local_frame.h"
 #include "orthoball/exact/sign.h"
 #include "orthoball/exact/wide_integer.h"
+#include "orthoball/queries/query_points.h"
 
 namespace orthoball {
 namespace {
@@ -286,11 +285,7 @@ void locate(const Filtration<D>& filtration, const WeightedPoints& points, Threa
 template <int D>
 std::vector<SimplexId> simplices_at(const Filtration<D>& filtration, const WeightedPoints& points,
                                     Threads threads) {
-  if (points.dimension() != D) {
-    throw InputError(InputError::Reason::wrong_size, InputError::kNoRow,
-                     "the points have " + std::to_string(points.dimension()) +
-                         " coordinates; they must have " + std::to_string(D) + ", as the sites do");
-  }
+  require_dimension(points, D);
   std::vector<SimplexId> simplices(points.size());
   locate<0>(filtration, points, threads, simplices);
   locate<1>(filtration, points, threads, simplices);

@@ -82,6 +82,21 @@ TEST(SimplicesAt, OneTenthIsNotTheDoubleNearestToIt) {
             (Rows{{0, 1}}));
 }
 
+TEST(SimplicesAt, TheLastBitDecidesOnWhichSideOfAnEdgeAPointIs) {
+  // An edge on the diagonal, and points a few units in the last place from it.
+  const WeightedPoints triangle = plain(2, {12.1, 12.1, 24.3, 24.3, 12.1, 24.3});
+  constexpr double kLastBit = 0x1p-48;
+  for (int i = -8; i <= 8; ++i) {
+    for (int j = -8; j <= 8; ++j) {
+      const auto found = rows_at<2>(triangle, plain(2, {17 + i * kLastBit, 17 + j * kLastBit}));
+      const Rows expected{j > i    ? std::vector<std::uint32_t>{0, 1, 2}
+                          : j == i ? std::vector<std::uint32_t>{0, 1}
+                                   : std::vector<std::uint32_t>{}};
+      EXPECT_EQ(found, expected) << i << ", " << j;
+    }
+  }
+}
+
 TEST(SimplicesAt, PointsOfAnotherDimensionAreRefused) {
   EXPECT_THROW((void)simplices_at(filtration_of<2>(plain(2, {0, 0})), plain(3, {0, 0, 0})),
                InputError);
