@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <set>
 #include <vector>
@@ -82,19 +83,37 @@ TEST(SimplicesAt, OneTenthIsNotTheDoubleNearestToIt) {
             (Rows{{0, 1}}));
 }
 
+// The orientation of three points of [0, 64)^2 whose coordinates are multiples of 2^-53.
+__extension__ using Int128 = __int128;
+int orientation(const std::array<double, 6>& p) {
+  std::array<Int128, 6> x;
+  for (std::size_t i = 0; i < 6; ++i) x[i] = static_cast<std::int64_t>(std::ldexp(p[i], 53));
+  const Int128 det = (x[2] - x[0]) * (x[5] - x[1]) - (x[3] - x[1]) * (x[4] - x[0]);
+  return (det > 0) - (det < 0);
+}
+
 TEST(SimplicesAt, TheLastBitDecidesOnWhichSideOfAnEdgeAPointIs) {
-  // An edge on the diagonal, and points a few units in the last place from it.
-  const WeightedPoints triangle = plain(2, {12.1, 12.1, 24.3, 24.3, 12.1, 24.3});
-  constexpr double kLastBit = 0x1p-48;
-  for (int i = -8; i <= 8; ++i) {
-    for (int j = -8; j <= 8; ++j) {
-      const auto found = rows_at<2>(triangle, plain(2, {17 + i * kLastBit, 17 + j * kLastBit}));
-      const Rows expected{j > i    ? std::vector<std::uint32_t>{0, 1, 2}
-                          : j == i ? std::vector<std::uint32_t>{0, 1}
-                                   : std::vector<std::uint32_t>{}};
-      EXPECT_EQ(found, expected) << i << ", " << j;
+  generators::Random random(7);
+  std::array<int, 3> seen{};
+  for (int i = 0; i < 2000; ++i) {
+    const double t = random.uniform(0.2, 0.8);
+    std::array<double, 6> p{};  // two corners, and a point near the edge between them
+    for (std::size_t k = 0; k < 4; ++k) p[k] = random.uniform() * (k < 2 ? 1 : 64);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double x = p[k] + t * (p[k + 2] - p[k]);
+      p[k + 4] = std::ldexp(std::nearbyint(std::ldexp(x, 53)), -53);
     }
+    // On the side of the third corner?
+    const int side = orientation(p) * orientation({p[0], p[1], p[2], p[3], 1.25, 60});
+    ++seen[static_cast<std::size_t>(side + 1)];
+    const WeightedPoints triangle = plain(2, {p[0], p[1], p[2], p[3], 1.25, 60});
+    const Rows expected{side > 0    ? std::vector<std::uint32_t>{0, 1, 2}
+                        : side == 0 ? std::vector<std::uint32_t>{0, 1}
+                                    : std::vector<std::uint32_t>{}};
+    EXPECT_EQ(rows_at<2>(triangle, plain(2, {p[4], p[5]})), expected) << i;
   }
+  EXPECT_GT(seen[0], 100);
+  EXPECT_GT(seen[2], 100);
 }
 
 TEST(SimplicesAt, PointsOfAnotherDimensionAreRefused) {
