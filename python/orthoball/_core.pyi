@@ -9,6 +9,7 @@ import numpy
 import numpy.typing
 from numpy.typing import NDArray
 
+
 class InputError(ValueError):
     """
     The caller's numbers are not what the function accepts.
@@ -92,32 +93,13 @@ class Reading:
         """Things to look at."""
 
     def __len__(self) -> int: ...
+
     def __repr__(self) -> str: ...
 
-def read(
-    path: str,
-    *,
-    format: str,
-    dimension: int | None,
-    columns: Sequence[str],
-    radius_column: str,
-    weight_column: str,
-    radii: str,
-    default_radius: str | None,
-    model: int | None,
-    altloc: str,
-    chains: Sequence[str],
-    hydrogens: bool,
-    ligands: bool,
-    waters: bool,
-    allow_empty: bool,
-    limited: bool,
-) -> Reading:
+def read(path: str, *, format: str, dimension: int | None, columns: Sequence[str], radius_column: str, weight_column: str, radii: str, default_radius: str | None, model: int | None, altloc: str, chains: Sequence[str], hydrogens: bool, ligands: bool, waters: bool, allow_empty: bool, limited: bool) -> Reading:
     """See orthoball.read."""
 
-def atom_radii(
-    elements: Sequence[str], residues: Sequence[str], atoms: Sequence[str], set: str
-) -> Annotated[NDArray[numpy.float64], dict(order="C", writable=False)]:
+def atom_radii(elements: Sequence[str], residues: Sequence[str], atoms: Sequence[str], set: str) -> Annotated[NDArray[numpy.float64], dict(order='C', writable=False)]:
     """
     Radii [Å] of atoms by a named set or a file of radii, (n,); lists may be empty.
     """
@@ -129,24 +111,13 @@ class AlphaShapes:
     """The filtration of weighted points; see orthoball.AlphaShapes."""
 
     @overload
-    def __init__(
-        self,
-        points: Annotated[
-            NDArray[numpy.float64],
-            dict(shape=(None, None), order="C", device="cpu", writable=False),
-        ],
-        weights: (
-            Annotated[
-                NDArray[numpy.float64], dict(shape=(None,), order="C", device="cpu", writable=False)
-            ]
-            | None
-        ),
-        are_radii: bool,
-        threads: int | None,
-    ) -> None: ...
+    def __init__(self, points: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)] | None, are_radii: bool, threads: int | None) -> None: ...
+
     @overload
     def __init__(self, reading: Reading, threads: int | None) -> None: ...
+
     def __repr__(self) -> str: ...
+
     def with_probe(self, probe: float, threads: int | None) -> AlphaShapes:
         """The shapes of the balls grown by the radius of a probe."""
 
@@ -189,37 +160,24 @@ class AlphaShapes:
     def index(self, alpha2: float) -> int:
         """Number of entries of the spectrum that are <= alpha2."""
 
-    def indices(
-        self,
-        alpha2: Annotated[
-            NDArray[numpy.float64], dict(shape=(None,), order="C", device="cpu", writable=False)
-        ],
-    ) -> Annotated[NDArray[numpy.uint32], dict(order="C", writable=False)]:
+    def indices(self, alpha2: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.uint32], dict(order='C', writable=False)]:
         """index() of each."""
 
-    def chosen(
-        self,
-        alpha2: float | None,
-        alpha: float | None,
-        inverse_alpha: float | None,
-        index: int | None,
-    ) -> tuple[int, float]:
+    def chosen(self, alpha2: float | None, alpha: float | None, inverse_alpha: float | None, index: int | None) -> tuple[int, float]:
         """The index and alpha2 of the one form that is given."""
 
-def simplices(shapes: object, dimension: int) -> tuple:
+def simplices(shapes: object, dimension: int, threads: int | None) -> tuple:
     """
     Of one dimension: vertices (k, dimension + 1), enters, regular, interior (k,), all uint32.
     """
 
-def filtration(shapes: AlphaShapes, index: int) -> tuple:
+def filtration(shapes: AlphaShapes, index: int, threads: int | None) -> tuple:
     """
     The complex at an index in filter order: dimension uint8, vertices (n, D + 1) uint32, alpha2
     float64, enters, regular, interior uint32.
     """
 
-def roles(
-    shapes: AlphaShapes, dimension: int, index: int
-) -> Annotated[NDArray[numpy.uint8], dict(order="C", writable=False)]:
+def roles(shapes: AlphaShapes, dimension: int, index: int, threads: int | None) -> Annotated[NDArray[numpy.uint8], dict(order='C', writable=False)]:
     """
     Of every simplex of a dimension, (k,) uint8: exterior, singular, regular, interior.
     """
@@ -233,25 +191,10 @@ def persistence(shapes: AlphaShapes, all: bool, threads: int | None) -> list:
     simplices that give birth (n, k + 1) and death (n, k + 2), uint32.
     """
 
-def signatures(
-    shapes: AlphaShapes,
-    indices: (
-        Annotated[
-            NDArray[numpy.uint32], dict(shape=(None,), order="C", device="cpu", writable=False)
-        ]
-        | None
-    ),
-    threads: int | None,
-) -> dict:
+def signatures(shapes: AlphaShapes, indices: Annotated[NDArray[numpy.uint32], dict(shape=(None,), order='C', device='cpu', writable=False)] | None, threads: int | None) -> dict:
     """Columns of the signatures at some indices, or at all from 1 on."""
 
-def ball_signatures(
-    shapes: AlphaShapes,
-    alpha2: Annotated[
-        NDArray[numpy.float64], dict(shape=(None,), order="C", device="cpu", writable=False)
-    ],
-    threads: int | None,
-) -> dict:
+def ball_signatures(shapes: AlphaShapes, alpha2: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], threads: int | None) -> dict:
     """Columns of the unions of balls at some alpha2."""
 
 def notable_alphas(shapes: AlphaShapes) -> list:
@@ -265,9 +208,7 @@ def boundary(shapes: AlphaShapes, index: int, regularized: bool) -> dict:
     The arrays of the boundary at an index, numbered by the vertices that are used.
     """
 
-def cells(
-    shapes: AlphaShapes, index: int
-) -> Annotated[NDArray[numpy.uint32], dict(order="C", writable=False)]:
+def cells(shapes: AlphaShapes, index: int) -> Annotated[NDArray[numpy.uint32], dict(order='C', writable=False)]:
     """
     The cells of the complex at an index, (k, D + 1) uint32 rows, positively oriented.
     """
@@ -277,9 +218,7 @@ def polygons(shapes: AlphaShapes, index: int) -> list:
     In the plane: a list of polygons, each a list of rings, each the rows of its vertices.
     """
 
-def file_bytes(
-    shapes: AlphaShapes, index: int, alpha2: float, regularized: bool, format: str, roles: bool
-) -> bytes:
+def file_bytes(shapes: AlphaShapes, index: int, alpha2: float, regularized: bool, format: str, roles: bool) -> bytes:
     """The shape at an index as the bytes of a file."""
 
 class UnionOfBalls:
@@ -323,39 +262,28 @@ class UnionOfBalls:
     def derivatives(self) -> tuple:
         """area_by_radius (n,), volume_by_centre (n, D), area_by_centre (n, D)."""
 
-def union_of_balls(
-    shapes: AlphaShapes,
-    index: int,
-    alpha2: float,
-    contacts: bool,
-    derivatives: bool,
-    threads: int | None,
-) -> UnionOfBalls:
+def union_of_balls(shapes: AlphaShapes, index: int, alpha2: float, contacts: bool, derivatives: bool, threads: int | None) -> UnionOfBalls:
     """The union of the balls whose dual complex is at an index."""
 
-def molecular_surface(
-    shapes: AlphaShapes, balls: UnionOfBalls, probe: float, threads: int | None
-) -> dict:
+def molecular_surface(shapes: AlphaShapes, balls: UnionOfBalls, probe: float, threads: int | None) -> dict:
     """Measures of the molecular surface, by name."""
 
-def voids(
-    shapes: AlphaShapes, index: int, alpha2: float, of_shape: bool, threads: int | None
-) -> list:
+def voids(shapes: AlphaShapes, index: int, alpha2: float, of_shape: bool, threads: int | None) -> list:
     """Voids of the balls or of the shape, a dict each."""
 
 def pockets(shapes: AlphaShapes, index: int, alpha2: float, threads: int | None) -> list:
     """Pockets of the balls, a dict each."""
 
-def enters_at(
-    shapes: AlphaShapes,
-    points: Annotated[
-        NDArray[numpy.float64], dict(shape=(None, None), order="C", device="cpu", writable=False)
-    ],
-    threads: int | None,
-) -> Annotated[NDArray[numpy.uint32], dict(order="C", writable=False)]:
+def enters_at(shapes: AlphaShapes, points: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], threads: int | None) -> Annotated[NDArray[numpy.uint32], dict(order='C', writable=False)]:
     """
     The index at which each point becomes part of the shape, (n,) uint32; the spectrum's
     size plus 1 outside the convex hull.
+    """
+
+def nearest(shapes: AlphaShapes, index: int, points: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], regularized: bool, threads: int | None) -> tuple:
+    """
+    The nearest points of the boundary (n, D), their distances (n,), the rows of their
+    simplices (n, D) uint32.
     """
 
 def regions(shapes: AlphaShapes, index: int, joined_by: str) -> list:
