@@ -3,6 +3,7 @@
 #include <nanobind/stl/optional.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "orthoball/error.h"
@@ -74,7 +75,7 @@ nb::tuple simplices(const Filtration<D>& filtration, int dimension, nb::handle o
 struct FilterColumns {
   explicit FilterColumns(std::size_t size, std::size_t width)
       : dimensions(size),
-        rows(size * width, SiteId()),
+        rows(size * width),
         alpha2(size),
         enters(size),
         regular(size),
@@ -86,33 +87,53 @@ struct FilterColumns {
   Indices enters, regular, interior;
 };
 
+// All of one simplex, so that it is written to one place.
+template <int D>
+struct FilterRow {
+  std::array<SiteId, std::size_t{D} + 1> rows;
+  std::uint32_t enters, regular, interior, dimension;
+};
+
 // Simplices are visited as they lie in memory and written where they belong, which is faster than
-// the other way round.
+// the other way round; then rows become columns.
 template <int D>
 FilterColumns filter_columns(const Filtration<D>& filtration, std::uint32_t index,
                              orthoball::Threads threads) {
   const orthoball::Filter<D> filter(filtration, threads);
-  const std::vector<SimplexId> order = filter.by_rows();
   const std::size_t size = filter.complex_size(index);
   Indices position(filtration.size());
-  for_each(order.size(), threads,
-           [&](std::size_t i) { position[order[i].row()] = static_cast<std::uint32_t>(i); });
-  FilterColumns columns(size, D + 1);
+  {
+    const std::vector<SimplexId> order = filter.by_rows();
+    for_each(order.size(), threads,
+             [&](std::size_t i) { position[order[i].row()] = static_cast<std::uint32_t>(i); });
+  }
+  orthoball::RawVector<FilterRow<D>> table(size);
   for (int dimension = 0; dimension <= D; ++dimension) {
     const std::size_t first = filtration.table().first(dimension);
     for_each(filtration.count(dimension), threads, [&](std::size_t i) {
       const SimplexId simplex(static_cast<std::uint32_t>(first + i));
       const std::size_t at = position[simplex.row()];
       if (at >= size) return;
-      columns.dimensions[at] = static_cast<std::uint8_t>(dimension);
+      FilterRow<D> row{{},
+                       filtration.enters(simplex),
+                       filtration.regular(simplex),
+                       filtration.interior(simplex),
+                       static_cast<std::uint32_t>(dimension)};
       const auto rows = filtration.rows(simplex);
-      std::copy(rows.begin(), rows.end(), &columns.rows[(D + 1) * at]);
-      columns.enters[at] = filtration.enters(simplex);
-      columns.regular[at] = filtration.regular(simplex);
-      columns.interior[at] = filtration.interior(simplex);
-      columns.alpha2[at] = filtration.alpha2(columns.enters[at]);
+      std::copy(rows.begin(), rows.end(), row.rows.begin());
+      table[at] = row;
     });
   }
+  FilterColumns columns(size, D + 1);
+  for_each(size, threads, [&](std::size_t i) {
+    const FilterRow<D>& row = table[i];
+    std::copy(row.rows.begin(), row.rows.end(), &columns.rows[(D + 1) * i]);
+    columns.dimensions[i] = static_cast<std::uint8_t>(row.dimension);
+    columns.enters[i] = row.enters;
+    columns.regular[i] = row.regular;
+    columns.interior[i] = row.interior;
+    columns.alpha2[i] = filtration.alpha2(row.enters);
+  });
   return columns;
 }
 
