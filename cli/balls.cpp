@@ -13,7 +13,7 @@
 #include "cli/report.h"
 #include "cli/usage_error.h"
 #include "orthoball/error.h"
-#include "orthoball/input/decimal.h"
+#include "orthoball/input/probe_radius.h"
 #include "orthoball/measures/union_of_balls.h"
 #include "orthoball/output/alpha_text.h"
 #include "orthoball/output/row_names.h"
@@ -31,22 +31,11 @@ void add_balls_options(CLI::App& command, BallsOptions& options) {
 orthoball::ProbeRadius checked_probe(const BallsOptions& options) {
   check(options.alpha, false);
   const std::string& text = options.probe;
-  orthoball::ProbeRadius probe{alpha2_from_text("--probe", text), {}, 0};
-  if (probe.nearest < 0.0) {
+  if (alpha2_from_text("--probe", text) < 0.0) {
     throw UsageError(fmt::format("--probe: \"{}\" is below 0; the radius of a probe is 0 or more",
                                  text.substr(0, 40)));
   }
-  const orthoball::DecimalNumber number = orthoball::parse_decimal(text).number;
-  constexpr orthoball::Int128 kLargest = orthoball::Int128{1} << 53;
-  constexpr int kMostDecimals = 400;
-  orthoball::Int128 digits = number.digits;
-  int exponent = number.exponent;
-  for (; exponent > 0 && digits <= kLargest; --exponent) digits *= 10;
-  if (number.is_exact && exponent <= 0 && exponent >= -kMostDecimals && digits <= kLargest) {
-    probe.digits = static_cast<std::int64_t>(digits);
-    probe.decimals = -exponent;
-  }
-  return probe;
+  return orthoball::probe_radius(text);
 }
 
 orthoball::Reading with_probe(orthoball::Reading reading, const orthoball::ProbeRadius& probe) {

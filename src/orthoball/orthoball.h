@@ -10,6 +10,7 @@
 #include "orthoball/memory_budget.h"
 #include "orthoball/parallel.h"
 // points, input
+#include "orthoball/input/probe_radius.h"
 #include "orthoball/input/read.h"
 #include "orthoball/points/probe.h"
 #include "orthoball/points/weighted_points.h"
@@ -36,9 +37,12 @@
 #include "orthoball/signatures/notable_alphas.h"
 #include "orthoball/signatures/signature.h"
 // queries
+#include "orthoball/queries/containment.h"
+#include "orthoball/queries/nearest.h"
 #include "orthoball/queries/planar_union.h"
 #include "orthoball/queries/pockets.h"
 #include "orthoball/queries/power_cells.h"
+#include "orthoball/queries/regions.h"
 #include "orthoball/queries/voids.h"
 // output
 #include "orthoball/output/ball_tables.h"

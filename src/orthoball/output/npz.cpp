@@ -26,7 +26,10 @@ std::uint32_t low(std::uint64_t number) {
 std::uint32_t checksum(std::string_view header, std::string_view bytes) {
   uLong crc = crc32_z(0, nullptr, 0);
   crc = crc32_z(crc, reinterpret_cast<const Bytef*>(header.data()), header.size());
-  crc = crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+  // An empty array may have no address, and for none zlib begins anew.
+  if (!bytes.empty()) {
+    crc = crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+  }
   return static_cast<std::uint32_t>(crc);
 }
 

@@ -27,6 +27,7 @@ std::string archive() {
   const std::array<std::uint32_t, 6> counts{1, 2, 3, 4, 5, 6};
   npz.add<double>("alpha2", std::array<std::size_t, 1>{3}, reals);
   npz.add<std::uint32_t>("betti", std::array<std::size_t, 2>{3, 2}, counts);
+  npz.add<double>("empty", std::array<std::size_t, 1>{0}, {});
   npz.finish();
   return out.str();
 }
@@ -35,10 +36,10 @@ TEST(NpzWriter, HeadersAndDirectoryAgreeOnNamesSizesAndChecksums) {
   const std::string bytes = archive();
   const std::size_t end = bytes.size() - 22;
   ASSERT_EQ(number_at<std::uint32_t>(bytes, end), 0x06054b50U);
-  EXPECT_EQ(number_at<std::uint16_t>(bytes, end + 10), 2U);
+  EXPECT_EQ(number_at<std::uint16_t>(bytes, end + 10), 3U);
   std::size_t entry = number_at<std::uint32_t>(bytes, end + 16);
   EXPECT_EQ(entry + number_at<std::uint32_t>(bytes, end + 12), end);
-  for (const std::string name : {"alpha2.npy", "betti.npy"}) {
+  for (const std::string name : {"alpha2.npy", "betti.npy", "empty.npy"}) {
     ASSERT_EQ(number_at<std::uint32_t>(bytes, entry), 0x02014b50U);
     EXPECT_EQ(bytes.substr(entry + 46, name.size()), name);
     const std::size_t local = number_at<std::uint32_t>(bytes, entry + 42);

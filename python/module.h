@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include "orthoball/alpha_shapes.h"
+#include "orthoball/parallel.h"
+
+// What each file binds, in the order in which later ones need earlier ones.
+void bind_errors(nanobind::module_& module);
+void bind_reading(nanobind::module_& module);
+void bind_alpha_shapes(nanobind::module_& module);
+void bind_simplices(nanobind::module_& module);
+void bind_topology(nanobind::module_& module);
+void bind_signatures(nanobind::module_& module);
+void bind_shape(nanobind::module_& module);
+void bind_balls(nanobind::module_& module);
+void bind_free_space(nanobind::module_& module);
+void bind_queries(nanobind::module_& module);
+
+/// At most so many, or one for each core.
+[[nodiscard]] inline orthoball::Threads threads_of(std::optional<unsigned> threads) {
+  return threads ? orthoball::Threads(*threads) : orthoball::Threads();
+}
+
+/// Calls `visit` with the Filtration<D> of `shapes` while other Python threads run. It must not
+/// touch Python.
+template <class Visit>
+auto without_gil(const orthoball::AlphaShapes& shapes, const Visit& visit) {
+  const nanobind::gil_scoped_release released;
+  return std::visit(visit, shapes.filtration());
+}

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+"""Every alpha shape of weighted points in the plane and in space, exactly.
+
+    shapes = orthoball.AlphaShapes(points)          # all of them, from an array or an object
+    shape = shapes.shape(alpha=1.5)                 # one of them
+    shape.volume, shape.triangles
+    shapes.signatures["betti"]                      # numbers of all of them
+
+`alpha2` is the parameter, a signed squared length; `alpha` its signed root, a length; `index`
+counts the different shapes from 1, the spectrum's entries. Rows are those of the caller's array,
+everywhere. Arrays that are given out cannot be written: results are values that do not change.
+"""
+
+from ._alpha_shapes import AlphaShapes
+from ._balls import Balls, Contacts, Derivatives, MolecularSurface, Mouth, Pocket, Void
+from ._core import InputError, LimitError, ParseError, Reading, __version__, input_formats
+from ._reading import read
+from ._shape import Shape
+from ._tables import (
+    NONE,
+    Diagram,
+    Filtration,
+    Nearest,
+    NotableAlpha,
+    Region,
+    Role,
+    Signatures,
+    Simplices,
+)
+
+__all__ = [
+    "NONE",
+    "AlphaShapes",
+    "Balls",
+    "Contacts",
+    "Derivatives",
+    "Diagram",
+    "Filtration",
+    "InputError",
+    "LimitError",
+    "MolecularSurface",
+    "Mouth",
+    "Nearest",
+    "NotableAlpha",
+    "ParseError",
+    "Pocket",
+    "Reading",
+    "Region",
+    "Role",
+    "Shape",
+    "Signatures",
+    "Simplices",
+    "Void",
+    "__version__",
+    "input_formats",
+    "read",
+]

@@ -1,0 +1,290 @@
+"""
+The compiled part of orthoball: its names are those of the package, see there.
+"""
+
+from collections.abc import Sequence
+from typing import Annotated, Any, overload
+
+import numpy
+import numpy.typing
+from numpy.typing import NDArray
+
+
+class InputError(ValueError):
+    """
+    The caller's numbers are not what the function accepts.
+
+    Attributes: `reason` ("not_finite", "wrong_size", "wrong_argument",
+    "imaginary_ball") and `row`, the input row from 0, or None where no single row is at fault.
+    """
+
+class ParseError(ValueError):
+    """
+    A file is not what its format says: `FILE:LINE: what is wrong`.
+
+    Attributes: `file` and `line`, from 1, or None where the whole file is meant.
+    """
+
+class LimitError(ValueError):
+    """More of something than can be counted, or than memory allows."""
+
+class Reading:
+    """
+    What a file gave: weighted points exactly as its text says them, and who they are.
+
+    AlphaShapes takes it as it is; `points` and `weights` are for looking at.
+    """
+
+    @property
+    def points(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Coordinates, (n, 2) or (n, 3) float64, input units; correctly rounded."""
+
+    @property
+    def weights(self) -> numpy.typing.NDArray[numpy.float64] | None:
+        """
+        Weights, signed squared lengths, (n,) float64; None where there are none.
+        """
+
+    @property
+    def ball_radii(self) -> numpy.typing.NDArray[numpy.float64] | None:
+        """
+        Signed roots of the weights, lengths, (n,) float64; None where there are none.
+        """
+
+    @property
+    def decimals(self) -> int | None:
+        """
+        k where every number is a whole number of 10^-k exactly; None where all are doubles.
+        """
+
+    @property
+    def dimension(self) -> int:
+        """2 or 3."""
+
+    @property
+    def labels(self) -> dict[str, Any]:
+        """
+        Who a row is, by kind: "line" (from 1), "element", "atom", "residue", "residue_id",
+        "chain", each with one entry a row; kinds that the format does not tell are left out.
+        """
+
+    @property
+    def file(self) -> str:
+        """The path as given."""
+
+    @property
+    def format(self) -> str:
+        """The format it was read as, one of input_formats()."""
+
+    @property
+    def radii(self) -> str:
+        """Where weights come from, in words."""
+
+    @property
+    def is_molecule(self) -> bool:
+        """Whether weights are the squared radii of a molecule's atoms."""
+
+    @property
+    def notes(self) -> list[str]:
+        """Choices made while reading."""
+
+    @property
+    def warnings(self) -> list[str]:
+        """Things to look at."""
+
+    def __len__(self) -> int: ...
+
+    def __repr__(self) -> str: ...
+
+def read(path: str, *, format: str, dimension: int | None, columns: Sequence[str], radius_column: str, weight_column: str, radii: str, default_radius: str | None, model: int | None, altloc: str, chains: Sequence[str], hydrogens: bool, ligands: bool, waters: bool, allow_empty: bool, limited: bool) -> Reading:
+    """See orthoball.read."""
+
+def atom_radii(elements: Sequence[str], residues: Sequence[str], atoms: Sequence[str], set: str) -> Annotated[NDArray[numpy.float64], dict(order='C', writable=False)]:
+    """
+    Radii [Å] of atoms by a named set or a file of radii, (n,); lists may be empty.
+    """
+
+def input_formats() -> list[str]:
+    """Names of the formats that read() knows."""
+
+class AlphaShapes:
+    """The filtration of weighted points; see orthoball.AlphaShapes."""
+
+    @overload
+    def __init__(self, points: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)] | None, are_radii: bool, threads: int | None) -> None: ...
+
+    @overload
+    def __init__(self, reading: Reading, threads: int | None) -> None: ...
+
+    def __repr__(self) -> str: ...
+
+    def with_probe(self, probe: float, threads: int | None) -> AlphaShapes:
+        """The shapes of the balls grown by the radius of a probe."""
+
+    @property
+    def dimension(self) -> int:
+        """2 or 3."""
+
+    @property
+    def affine_dimension(self) -> int:
+        """Of the sites' affine hull; -1 without sites."""
+
+    @property
+    def site_count(self) -> int:
+        """Input rows."""
+
+    @property
+    def decimals(self) -> int | None:
+        """As that of a Reading."""
+
+    @property
+    def points(self) -> numpy.typing.NDArray[numpy.float64]:
+        """(n, D) float64, input units."""
+
+    @property
+    def weights(self) -> numpy.typing.NDArray[numpy.float64] | None:
+        """(n,) float64, length^2; None without weights."""
+
+    @property
+    def spectrum(self) -> numpy.typing.NDArray[numpy.float64]:
+        """(s,) float64, length^2."""
+
+    @property
+    def hidden(self) -> numpy.typing.NDArray[numpy.uint32]:
+        """(k,) uint32 rows."""
+
+    @property
+    def duplicates(self) -> numpy.typing.NDArray[numpy.uint32]:
+        """(k, 2) uint32: row, representative."""
+
+    def index(self, alpha2: float) -> int:
+        """Number of entries of the spectrum that are <= alpha2."""
+
+    def indices(self, alpha2: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.uint32], dict(order='C', writable=False)]:
+        """index() of each."""
+
+    def chosen(self, alpha2: float | None, alpha: float | None, inverse_alpha: float | None, index: int | None) -> tuple[int, float]:
+        """The index and alpha2 of the one form that is given."""
+
+def simplices(shapes: object, dimension: int, threads: int | None) -> tuple:
+    """
+    Of one dimension: vertices (k, dimension + 1), enters, regular, interior (k,), all uint32.
+    """
+
+def filtration(shapes: AlphaShapes, index: int, threads: int | None) -> tuple:
+    """
+    The complex at an index in filter order: dimension uint8, vertices (n, D + 1) uint32, alpha2
+    float64, enters, regular, interior uint32.
+    """
+
+def roles(shapes: AlphaShapes, dimension: int, index: int, threads: int | None) -> Annotated[NDArray[numpy.uint8], dict(order='C', writable=False)]:
+    """
+    Of every simplex of a dimension, (k,) uint8: exterior, singular, regular, interior.
+    """
+
+def betti(shapes: AlphaShapes, index: int, threads: int | None) -> tuple[int, ...]:
+    """Betti numbers of the complex at an index, D of them."""
+
+def persistence(shapes: AlphaShapes, all: bool, threads: int | None) -> list:
+    """
+    For every dimension k below D: alpha2 (n, 2) float64, indices (n, 2), vertices of the
+    simplices that give birth (n, k + 1) and death (n, k + 2), uint32.
+    """
+
+def signatures(shapes: AlphaShapes, indices: Annotated[NDArray[numpy.uint32], dict(shape=(None,), order='C', device='cpu', writable=False)] | None, threads: int | None) -> dict:
+    """Columns of the signatures at some indices, or at all from 1 on."""
+
+def ball_signatures(shapes: AlphaShapes, alpha2: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], threads: int | None) -> dict:
+    """Columns of the unions of balls at some alpha2."""
+
+def notable_alphas(shapes: AlphaShapes) -> list:
+    """A tuple (name, reason, index or None, alpha2, alpha) for each."""
+
+def automatic_alpha(shapes: AlphaShapes, is_molecule: bool) -> tuple:
+    """The same of the one that is taken where none is named."""
+
+def boundary(shapes: AlphaShapes, index: int, regularized: bool) -> dict:
+    """
+    The arrays of the boundary at an index, numbered by the vertices that are used.
+    """
+
+def cells(shapes: AlphaShapes, index: int) -> Annotated[NDArray[numpy.uint32], dict(order='C', writable=False)]:
+    """
+    The cells of the complex at an index, (k, D + 1) uint32 rows, positively oriented.
+    """
+
+def polygons(shapes: AlphaShapes, index: int) -> list:
+    """
+    In the plane: a list of polygons, each a list of rings, each the rows of its vertices.
+    """
+
+def file_bytes(shapes: AlphaShapes, index: int, alpha2: float, regularized: bool, format: str, roles: bool) -> bytes:
+    """The shape at an index as the bytes of a file."""
+
+class UnionOfBalls:
+    """The measures of a union of balls; see orthoball.Balls."""
+
+    @property
+    def index(self) -> int:
+        """Of the dual complex."""
+
+    @property
+    def alpha2(self) -> float:
+        """length^2."""
+
+    @property
+    def volume(self) -> float:
+        """length^D."""
+
+    @property
+    def area(self) -> float:
+        """length^(D-1)."""
+
+    @property
+    def mean_curvature(self) -> float:
+        """length; 0 in the plane."""
+
+    @property
+    def euler(self) -> int:
+        """Euler number."""
+
+    @property
+    def volumes(self) -> numpy.typing.NDArray[numpy.float64]:
+        """(n,) by row."""
+
+    @property
+    def areas(self) -> numpy.typing.NDArray[numpy.float64]:
+        """(n,) by row."""
+
+    def contacts(self) -> tuple:
+        """rows (k, 2) uint32, area (k,), exposed (k,)."""
+
+    def derivatives(self) -> tuple:
+        """area_by_radius (n,), volume_by_centre (n, D), area_by_centre (n, D)."""
+
+def union_of_balls(shapes: AlphaShapes, index: int, alpha2: float, contacts: bool, derivatives: bool, threads: int | None) -> UnionOfBalls:
+    """The union of the balls whose dual complex is at an index."""
+
+def molecular_surface(shapes: AlphaShapes, balls: UnionOfBalls, probe: float, threads: int | None) -> dict:
+    """Measures of the molecular surface, by name."""
+
+def voids(shapes: AlphaShapes, index: int, alpha2: float, of_shape: bool, threads: int | None) -> list:
+    """Voids of the balls or of the shape, a dict each."""
+
+def pockets(shapes: AlphaShapes, index: int, alpha2: float, threads: int | None) -> list:
+    """Pockets of the balls, a dict each."""
+
+def enters_at(shapes: AlphaShapes, points: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], threads: int | None) -> Annotated[NDArray[numpy.uint32], dict(order='C', writable=False)]:
+    """
+    The index at which each point becomes part of the shape, (n,) uint32; the spectrum's
+    size plus 1 outside the convex hull.
+    """
+
+def nearest(shapes: AlphaShapes, index: int, points: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], regularized: bool, threads: int | None) -> tuple:
+    """
+    The nearest points of the boundary (n, D), their distances (n,), the rows of their
+    simplices (n, D) uint32.
+    """
+
+def regions(shapes: AlphaShapes, index: int, joined_by: str) -> list:
+    """The regions of the shape at an index, a dict each."""

@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: MIT
+"""One alpha shape."""
+
+from __future__ import annotations
+
+import json
+import os
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core, _exports
+from ._arrays import as_points
+from ._tables import Nearest, Region, Role, Signatures
+
+if TYPE_CHECKING:
+    from ._alpha_shapes import AlphaShapes
+
+
+class Shape:
+    """The alpha shape at one index of the spectrum: made by `AlphaShapes.shape`.
+
+    Vertices are named by their input rows in every array, so that `shapes.points[shape.triangles]`
+    are corners. Found when first asked for, then kept.
+    """
+
+    def __init__(self, shapes: AlphaShapes, index: int, alpha2: float, regularized: bool):
+        self._shapes = shapes
+        self._index, self._alpha2, self._regularized = index, alpha2, regularized
+
+    def __repr__(self) -> str:
+        solid = "solid part of the " if self.regularized else ""
+        return (
+            f"<orthoball.Shape: {solid}shape at index {self.index}, alpha2 {self.alpha2}, "
+            f"of {self.shapes.site_count} sites>"
+        )
+
+    @property
+    def shapes(self) -> AlphaShapes:
+        """The family that it is one of."""
+        return self._shapes
+
+    @property
+    def index(self) -> int:
+        """Its index of the spectrum; 0 for the empty shape."""
+        return self._index
+
+    @property
+    def alpha2(self) -> float:
+        """The alpha2 that was asked for, length^2."""
+        return self._alpha2
+
+    @property
+    def alpha(self) -> float:
+        """Its signed root, a length."""
+        return float(np.copysign(np.sqrt(abs(self._alpha2)), self._alpha2))
+
+    @property
+    def regularized(self) -> bool:
+        """Whether singular simplices are left out."""
+        return self._regularized
+
+    # What it is made of.
+
+    @cached_property
+    def _boundary(self) -> dict[str, Any]:
+        return _core.boundary(self._shapes._core, self._index, self._regularized)
+
+    def _rows(self, name: str) -> NDArray[np.uint32]:
+        rows = self._boundary["rows"][self._boundary[name]]
+        rows.flags.writeable = False
+        return rows
+
+    @cached_property
+    def cells(self) -> NDArray[np.uint32]:
+        """(k, D + 1) the tetrahedra, in the plane the triangles, of the shape: positively oriented."""
+        return _core.cells(self._shapes._core, self._index)
+
+    @cached_property
+    def triangles(self) -> NDArray[np.uint32]:
+        """(k, 3) In space the triangles of the boundary: the regular ones, counterclockwise seen from
+        outside, then the singular ones. In the plane the triangles that fill the shape."""
+        return self.cells if self._shapes.dimension == 2 else self._rows("triangles")
+
+    @cached_property
+    def triangle_roles(self) -> NDArray[np.uint8]:
+        """(k,) of the triangles: Role.regular or Role.singular; in the plane Role.interior."""
+        if self._shapes.dimension == 2:
+            return np.full(len(self.cells), Role.interior, dtype=np.uint8)
+        return self._boundary["triangle_roles"]
+
+    @cached_property
+    def edges(self) -> NDArray[np.uint32]:
+        """(k, 2) In space the singular edges. In the plane the edges of the boundary, regular ones
+        with the inside on their left."""
+        return self._rows("edges")
+
+    @property
+    def edge_roles(self) -> NDArray[np.uint8]:
+        """(k,) of the edges: Role.singular; in the plane also Role.regular."""
+        return self._boundary["edge_roles"]
+
+    @cached_property
+    def vertices(self) -> NDArray[np.uint32]:
+        """(k,) the singular vertices, which belong to no edge of the complex."""
+        return self._rows("vertices")
+
+    @cached_property
+    def rows(self) -> NDArray[np.uint32]:
+        """(k,) all rows that occur in triangles of the boundary, edges and vertices."""
+        return self._boundary["rows"]
+
+    # Numbers.
+
+    @cached_property
+    def signature(self) -> Signatures:
+        """Everything that is counted and measured of the whole complex: one row."""
+        return self._shapes.signatures_at(index=[self._index])
+
+    @property
+    def volume(self) -> float:
+        """Of its cells, length^D: in the plane the area."""
+        return float(self.signature["volume"][0])
+
+    @property
+    def area(self) -> float:
+        """Of its boundary, length^(D-1): in the plane the perimeter. Singular facets have two sides,
+        and both count; they have none in a regularized shape."""
+        name = "area_regular" if self._regularized else "area"
+        return float(self.signature[name][0])
+
+    @property
+    def betti(self) -> tuple[int, ...]:
+        """Components, tunnels and (in space) voids of the complex."""
+        return self._shapes.betti(index=self._index)
+
+    # What is where.
+
+    def regions(self, joined_by: str | None = None) -> tuple[Region, ...]:
+        """Its parts, the largest volume first; equal ones by area, then by the lowest row.
+
+        Args:
+            joined_by: "vertices": the components of the complex, with their singular simplices.
+                "cells": its cells, those with a common vertex in one. "facets": its cells, those with
+                a common facet in one. By default "vertices", of a regularized shape "cells".
+        """
+        by = joined_by or ("cells" if self._regularized else "vertices")
+        return tuple(Region(**one) for one in _core.regions(self._shapes._core, self._index, by))
+
+    def contains(self, points: Any) -> NDArray[np.bool_]:
+        """(n,) whether points are in the shape, which is closed. Exact. Singular simplices count, also
+        those that a regularized shape leaves out.
+
+        Args:
+            points: (n, D), as in `AlphaShapes.enters_at`.
+        """
+        return self._shapes.enters_at(points) <= self._index
+
+    def nearest(self, points: Any) -> Nearest:
+        """The nearest point of the boundary to each of some points, inside or outside.
+
+        The boundary are the regular facets and, but for a regularized shape, all that is singular.
+        Computed in doubles, by a tree of boxes.
+
+        Args:
+            points: (n, D).
+        """
+        return Nearest(
+            *_core.nearest(
+                self._shapes._core,
+                self._index,
+                as_points(points),
+                self._regularized,
+                self._shapes._threads,
+            )
+        )
+
+    # As objects of other packages, which must be installed, and as files.
+
+    def to_trimesh(self) -> Any:
+        """The triangles of the boundary as a trimesh.Trimesh; vertex attribute `row`.
+
+        Raises InputError in the plane.
+        """
+        return _exports.to_trimesh(self)
+
+    def to_pyvista(self) -> Any:
+        """The boundary as a pyvista.PolyData with vertices, lines and triangles; point data `row`,
+        cell data `role`."""
+        return _exports.to_pyvista(self)
+
+    def to_meshio(self) -> Any:
+        """The boundary as a meshio.Mesh with vertices, lines and triangles; point data `row`, cell
+        data `role`."""
+        return _exports.to_meshio(self)
+
+    def to_shapely(self) -> Any:
+        """In the plane: the interior as a shapely.MultiPolygon with holes. Singular edges and
+        vertices, which have no inside, are in `to_geojson`.
+
+        Raises InputError in space.
+        """
+        return _exports.to_shapely(self)
+
+    def to_geojson(self) -> dict[str, Any]:
+        """In the plane: a GeoJSON FeatureCollection; coordinates are those of the input.
+
+        The interior is one MultiPolygon, each singular edge a LineString, each singular vertex a
+        Point; properties `role` and the input rows. Raises InputError in space.
+        """
+        return json.loads(self.to_bytes("geojson"))
+
+    def to_bytes(self, format: str, *, roles: bool = False) -> bytes:
+        """The boundary as the bytes of a file: ply, obj, off, stl, vtu, glb, in the plane geojson, svg.
+
+        Args:
+            roles: mark every simplex as singular or regular, where the format can.
+        """
+        return _core.file_bytes(
+            self._shapes._core, self._index, self._alpha2, self._regularized, format, roles
+        )
+
+    def write(self, path: str | os.PathLike[str], *, roles: bool = False) -> None:
+        """Writes the boundary to a file, the format told by its name; see `to_bytes`.
+
+        The file appears whole or not at all.
+        """
+        path = os.fspath(path)
+        ending = os.path.splitext(path)[1].lstrip(".").lower()
+        content = self.to_bytes({"json": "geojson"}.get(ending, ending), roles=roles)
+        beside = f"{path}.{os.getpid()}.part"
+        try:
+            with open(beside, "wb") as file:
+                file.write(content)
+            os.replace(beside, path)
+        except BaseException:
+            if os.path.exists(beside):
+                os.remove(beside)
+            raise
+
+    def plot(self, *, ax: Any = None) -> Any:
+        """Draws the shape with matplotlib. Returns the axes."""
+        from ._plots import plot_shape
+
+        return plot_shape(self, ax)

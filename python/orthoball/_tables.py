@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: MIT
+"""What is known of all shapes at once, as arrays."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+NONE = 4294967295
+"""Stands where an array of vertices has a place without one."""
+
+
+class Role(enum.IntEnum):
+    """What a simplex is in one shape."""
+
+    exterior = 0
+    """Not in the complex."""
+    singular = 1
+    """In the complex, a face of nothing in it."""
+    regular = 2
+    """A face of something in the complex, on its boundary."""
+    interior = 3
+    """Inside the shape."""
+
+
+class Simplices(NamedTuple):
+    """All simplices of one dimension k, neighbours in space near each other.
+
+    A simplex is exterior below the index `enters`, singular from there, regular from `regular`,
+    interior from `interior` on; the number of entries of the spectrum plus 1 stands for never.
+    """
+
+    vertices: NDArray[np.uint32]
+    """(n, k + 1) input rows, ascending."""
+    enters: NDArray[np.uint32]
+    """(n,) indices of the spectrum, from 1; a view."""
+    regular: NDArray[np.uint32]
+    """(n,) indices of the spectrum."""
+    interior: NDArray[np.uint32]
+    """(n,) indices of the spectrum."""
+
+
+@dataclass(frozen=True, eq=False)
+class Filtration:
+    """All simplices in the exact order of their appearance: every prefix is a complex.
+
+    Ordered by exact alpha2, then dimension, then rows. Iterating gives `(simplex, alpha2)`, the
+    simplex as a tuple of rows. The arrays are those that `orthoball filter` writes as NPZ, but that
+    never is the spectrum's size plus 1 in them.
+    """
+
+    dimension: NDArray[np.uint8]
+    """(n,) 0 to D."""
+    vertices: NDArray[np.uint32]
+    """(n, D + 1) input rows, ascending, filled up with NONE."""
+    alpha2: NDArray[np.float64]
+    """(n,) length^2, never decreasing; the double nearest to the exact value."""
+    enters: NDArray[np.uint32]
+    """(n,) indices of the spectrum, from 1."""
+    regular: NDArray[np.uint32]
+    """(n,) indices of the spectrum."""
+    interior: NDArray[np.uint32]
+    """(n,) indices of the spectrum."""
+
+    def __len__(self) -> int:
+        return len(self.alpha2)
+
+    def __iter__(self) -> Iterator[tuple[tuple[int, ...], float]]:
+        widths = (self.dimension + 1).tolist()
+        for row, width, alpha2 in zip(self.vertices, widths, self.alpha2.tolist()):
+            yield tuple(row[:width].tolist()), alpha2
+
+    def __repr__(self) -> str:
+        return f"<orthoball.Filtration of {len(self)} simplices>"
+
+
+@dataclass(frozen=True, eq=False)
+class Diagram:
+    """The persistent homology of one dimension over Z/2: when its classes are born and die.
+
+    NumPy takes it as the array `alpha2`.
+    """
+
+    dimension: int
+    """0 for components, 1 for tunnels (in the plane: holes), 2 for voids."""
+    alpha2: NDArray[np.float64]
+    """(n, 2) birth and death, length^2; infinity for never."""
+    index: NDArray[np.uint32]
+    """(n, 2) the same as indices of the spectrum; its size plus 1 for never."""
+    births: NDArray[np.uint32]
+    """(n, dimension + 1) the simplices that close the cycles, as rows."""
+    deaths: NDArray[np.uint32]
+    """(n, dimension + 2) the simplices that fill them, as rows; NONE where nothing does."""
+
+    def __len__(self) -> int:
+        return len(self.alpha2)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[np.float64]:
+        array = self.alpha2 if dtype is None else self.alpha2.astype(dtype, copy=False)
+        return array.copy() if copy else array
+
+    def __repr__(self) -> str:
+        return f"<orthoball.Diagram of dimension {self.dimension}: {len(self)} classes>"
+
+
+class Region(NamedTuple):
+    """A part of a shape."""
+
+    volume: float
+    """Of its cells, length^D."""
+    area: float
+    """Of its boundary, length^(D-1); singular facets count on both sides."""
+    rows: NDArray[np.uint32]
+    """(k,) its vertices, ascending."""
+    cells: NDArray[np.uint32]
+    """(c, D + 1) its cells, as rows."""
+
+
+class Nearest(NamedTuple):
+    """The nearest points of a boundary."""
+
+    points: NDArray[np.float64]
+    """(n, D) where they are; 0 where there is no boundary."""
+    distances: NDArray[np.float64]
+    """(n,) how far away; infinity where there is no boundary."""
+    simplices: NDArray[np.uint32]
+    """(n, D) the simplices that they are on, as rows, filled up with NONE."""
+
+
+class NotableAlpha(NamedTuple):
+    """An index that stands out."""
+
+    name: str
+    """One word: "all_vertices", "connected", "solid", ..."""
+    reason: str
+    """Half a sentence."""
+    index: int | None
+    """None where there is no such index."""
+    alpha2: float
+    """Its label, length^2; 0 where there is no index."""
+    alpha: float
+    """The signed root of alpha2, a length."""
+
+
+class Signatures(Mapping[str, NDArray[Any]]):
+    """Quantities as functions of the index: one row an index, columns as in a dict or as attributes.
+
+    index, alpha2 (length^2), alpha, betti (n, D), euler, exterior, singular, regular, interior
+    (n, D + 1: simplices by dimension in that role), volume (length^D; in the plane the area),
+    area_singular, area_regular, area (length^(D-1); in the plane lengths; area counts singular facets
+    twice), length (in space: sum of edge length x complementary angle).
+
+    Of unions of balls: index, alpha2, betti, euler, volume, area.
+    """
+
+    def __init__(self, columns: dict[str, NDArray[Any]]):
+        self._columns = columns
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        return self._columns[name]
+
+    def __getattr__(self, name: str) -> NDArray[Any]:
+        if name in self.__dict__.get("_columns", {}):
+            return self._columns[name]
+        raise AttributeError(f"signatures have no column {name!r}; they are {list(self)}")
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self]
+
+    def to_pandas(self) -> Any:
+        """A pandas DataFrame with the columns of `orthoball signatures`: betti_0, exterior_0, ..."""
+        import pandas
+
+        flat = {}
+        for name, column in self.items():
+            if column.ndim == 1:
+                flat[name] = column
+            else:
+                flat.update({f"{name}_{k}": column[:, k] for k in range(column.shape[1])})
+        return pandas.DataFrame(flat)
+
+    def __repr__(self) -> str:
+        return f"<orthoball.Signatures at {len(self['index'])} indices: {', '.join(self)}>"

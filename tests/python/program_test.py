@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: MIT
+"""The package gives the numbers that the program prints."""
+
+import io
+import json
+import os
+import pathlib
+import subprocess
+
+import numpy as np
+import pytest
+
+import orthoball
+from orthoball import AlphaShapes
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SAMPLES = ROOT / "examples" / "data"
+REFERENCE = ROOT.parent / "shared" / "reference" / "generated"
+PROGRAM = os.environ.get("ORTHOBALL_PROGRAM", str(ROOT / "build" / "release" / "orthoball"))
+
+pytestmark = pytest.mark.partner
+
+
+def inputs():
+    """(path, options of the program, options of read)."""
+    yield SAMPLES / "c60.xyz", [], {}
+    yield SAMPLES / "bdna_dodecamer.pdb", [], {}
+    yield SAMPLES / "linked_tori.csv", [], {}
+    yield SAMPLES / "trees.csv", ["--radius-column", "crown"], {"radius_column": "crown"}
+    for path in sorted(REFERENCE.glob("*.txt")):
+        words = dict(
+            word.split("=") for word in path.read_text().split("\n")[0].split() if "=" in word
+        )
+        dimension = int(words["dim"])
+        options, keywords = ["--dimension", str(dimension), "--allow-empty"], {}
+        if words["weighted"] == "1":
+            keywords["radius_column"] = dimension + 1
+            options += ["--radius-column", str(dimension + 1)]
+        yield path, options, {"dimension": dimension, "allow_empty": True, **keywords}
+
+
+def as_json(number):
+    """JSON has null for what is beyond the double range."""
+    return number if number is None or np.isfinite(number) else None
+
+
+@pytest.fixture(params=inputs(), ids=lambda given: given[0].stem)
+def given(request):
+    path, options, keywords = request.param
+
+    def printed(command, *more):
+        arguments = [PROGRAM, command, str(path), *options, *more, "--quiet"]
+        return subprocess.run(arguments, capture_output=True, check=True).stdout
+
+    return AlphaShapes(orthoball.read(path, **keywords)), printed
+
+
+def test_summary(given):
+    shapes, printed = given
+    summary = json.loads(printed("summary", "--json"))
+    reading, decimals = summary["input"], summary["input"]["decimals"]
+    assert (shapes.site_count, shapes.decimals) == (reading["sites"], decimals)
+    assert (shapes.dimension, shapes.affine_dimension) == (
+        summary["dimension"], summary["affine_dimension"],
+    )  # fmt: skip
+    assert shapes.hidden.tolist() == summary["hidden"]
+    assert shapes.duplicates.tolist() == summary["duplicates"]
+    counts = [len(shapes.simplices(k).enters) for k in range(shapes.dimension + 1)]
+    assert counts == summary["simplices"]
+    assert len(shapes.spectrum) == summary["spectrum_size"]
+    if len(shapes.spectrum) > 0:
+        assert shapes.spectrum[[0, -1]].tolist() == [summary["alpha2_min"], summary["alpha2_max"]]
+    for ours, theirs in zip(shapes.notable_alphas(), summary["notable"], strict=True):
+        assert (ours.name, ours.reason, ours.index) == (
+            theirs["name"], theirs["reason"], theirs["index"],
+        )  # fmt: skip
+        if ours.index is not None:
+            assert (ours.alpha2, ours.alpha) == (theirs["alpha2"], theirs["alpha"])
+
+
+def test_signatures(given):
+    shapes, printed = given
+    rows = json.loads(printed("signatures", "--json"))
+    signatures = shapes.signatures
+    assert len(signatures["index"]) == len(rows)
+    for name, column in signatures.items():
+        ours = column.tolist() if column.ndim > 1 else [as_json(x) for x in column.tolist()]
+        assert ours == [row[name] for row in rows], name
+
+
+def test_filter(given):
+    shapes, printed = given
+    archive = np.load(io.BytesIO(printed("filter", "--format", "npz")))
+    filtration = shapes.filtration()
+    never = len(shapes.spectrum) + 1
+    for name in ("dimension", "vertices", "alpha2", "enters", "regular", "interior"):
+        ours, theirs = getattr(filtration, name), archive[name]
+        if name in ("regular", "interior"):
+            theirs = np.where(theirs == 0, never, theirs)
+        assert np.array_equal(ours, theirs), name
+    assert np.array_equal(shapes.spectrum, archive["spectrum"])
+
+
+def test_shape(given):
+    shapes, printed = given
+    shape = shapes.shape()
+    assert shape.to_bytes("ply") == printed("shape", "--format", "ply")
+    at = ("--index", str(len(shapes.spectrum) // 2))
+    half = shapes.shape(index=len(shapes.spectrum) // 2)
+    assert half.to_bytes("obj", roles=True) == printed("shape", "--format", "obj", "--roles", *at)
+    if shapes.dimension == 2:
+        assert half.to_bytes("geojson") == printed("shape", "--format", "geojson", *at)
+
+
+@pytest.mark.parametrize("probe", [0, 1.4])
+def test_measure_and_pockets(given, probe):
+    shapes, printed = given
+    if probe > 0 and shapes.weights is not None and (shapes.weights < 0).any():
+        with pytest.raises(orthoball.InputError, match="row .* imaginary ball"):
+            shapes.balls(probe=probe)
+        return
+    balls = shapes.balls(probe=probe)
+    measured = json.loads(printed("measure", "--json", "--probe", str(probe)))
+    for name in ("index", "volume", "area", "euler", "mean_curvature"):
+        assert as_json(getattr(balls, name)) == measured[name], name
+    assert list(balls.betti) == measured["betti"]
+    for ours, theirs in zip(balls.voids, measured["voids"], strict=True):
+        assert (as_json(ours.volume), as_json(ours.area)) == (theirs["volume"], theirs["area"])
+        assert (
+            ours.rows.tolist() == theirs["atoms"]
+            and [as_json(x) for x in ours.areas] == theirs["atom_areas"]
+        )
+        assert (ours.born_alpha2, ours.dies_alpha2) == (theirs["born"], theirs["dies"])
+    pockets = json.loads(printed("pockets", "--json", "--probe", str(probe)))["pockets"]
+    for ours, theirs in zip(balls.pockets, pockets, strict=True):
+        for name in ("volume", "area", "depth"):
+            assert as_json(getattr(ours, name)) == theirs[name], name
+        assert len(ours.mouths) == len(theirs["mouths"])
