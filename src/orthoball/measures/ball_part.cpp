@@ -7,24 +7,13 @@
 #include "orthoball/measures/angle.h"
 
 namespace orthoball {
-namespace {
-
-FromCentre minus(const FromCentre& a, const FromCentre& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-FromCentre cross_product(const FromCentre& a, const FromCentre& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-}  // namespace
-
 // In the plane, from the foot of the centre, the edge is on a line at `off`; a right triangle with
 // legs `off` and u has the solid angle atan2(u, off) - atan2(u height, off l), l the distance of
 // the end from the centre. The ball takes the part of it within the disk, whose sectors of angle
 // phi have (1 - height / radius) phi.
 ConePart cone_over_edge(const FromCentre& from, const FromCentre& to, const FromCentre& normal,
                         double height, double radius) {
-  const FromCentre along = minus(to, from);
+  const FromCentre along = difference(to, from);
   const double length = std::sqrt(inner(along, along));
   if (!(length > 0.0)) return {};
   const FromCentre unit{along[0] / length, along[1] / length, along[2] / length};
@@ -74,8 +63,8 @@ CutTetrahedron::CutTetrahedron(const std::array<FromCentre, 4>& corners,
                 sorted.end());
     const bool is_turned = by_number(sorted[2], sorted[1]);
     if (is_turned) std::swap(sorted[1], sorted[2]);
-    FromCentre normal = cross_product(minus(corners[sorted[1]], corners[sorted[0]]),
-                                      minus(corners[sorted[2]], corners[sorted[0]]));
+    FromCentre normal = cross_product(difference(corners[sorted[1]], corners[sorted[0]]),
+                                      difference(corners[sorted[2]], corners[sorted[0]]));
     const double norm = std::sqrt(inner(normal, normal));
     if (!(norm > 0.0)) continue;  // no area
     for (double& x : normal) x /= is_turned ? -norm : norm;

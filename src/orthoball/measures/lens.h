@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "orthoball/measures/angle.h"
+#include "orthoball/measures/vectors.h"
 
 namespace orthoball {
 
@@ -163,11 +164,7 @@ struct Chord {
 
 /// a.x - b.x
 [[nodiscard]] inline std::array<double, 3> difference(const Sphere<3>& a, const Sphere<3>& b) {
-  return {a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]};
-}
-/// The inner product.
-[[nodiscard]] inline double inner(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  return difference(a.x, b.x);
 }
 
 /// A lens in space with coordinates in the plane of its circle: `across[0]`, `across[1]` and the

@@ -66,11 +66,8 @@ void add_edges(const RegularTriangulation<3>& triangulation, Pairs& edges) {
   }
 }
 
-FromCentre from_to(const FromCentre& a, const FromCentre& b) {
-  return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-}
 double distance2(const FromCentre& a, const FromCentre& b) {
-  const FromCentre way = from_to(a, b);
+  const FromCentre way = difference(b, a);
   return inner(way, way);
 }
 
@@ -229,10 +226,10 @@ void ProbesAtRest::find_reaching(Threads threads) {
 ProbePart ProbesAtRest::over_triangle(const Probe& probe) const {
   std::array<FromCentre, 3> corners{};
   for (std::size_t i = 0; i < 3; ++i)
-    corners[i] = from_to(probe.centre, spheres_[probe.corners[i]].x);
-  const FromCentre along = from_to(corners[0], corners[1]), to = from_to(corners[0], corners[2]);
-  FromCentre normal{along[1] * to[2] - along[2] * to[1], along[2] * to[0] - along[0] * to[2],
-                    along[0] * to[1] - along[1] * to[0]};
+    corners[i] = difference(spheres_[probe.corners[i]].x, probe.centre);
+  const FromCentre along = difference(corners[1], corners[0]),
+                   to = difference(corners[2], corners[0]);
+  FromCentre normal = cross_product(along, to);
   const double norm = std::sqrt(inner(normal, normal));
   if (!(norm > 0.0 && radius_ > 0.0)) return {};
   for (double& x : normal) x /= norm;
@@ -263,10 +260,11 @@ ProbePart ProbesAtRest::in_cells(std::size_t i) const {
   for (std::size_t next = 0; next < found.size(); ++next) {
     const CellRecord<3>& record = cells_[found[next]];
     std::array<FromCentre, 4> corners{};
-    for (std::size_t k = 0; k < 4; ++k) corners[k] = from_to(centre, spheres_[record.corners[k]].x);
+    for (std::size_t k = 0; k < 4; ++k)
+      corners[k] = difference(spheres_[record.corners[k]].x, centre);
     CutTetrahedron cell(corners, record.corners);
     for (const std::uint32_t other : beside_[i]) {
-      FromCentre way = from_to(centre, reaching_[other].centre);
+      FromCentre way = difference(reaching_[other].centre, centre);
       const double length = std::sqrt(inner(way, way));
       if (!(length > 0.0 && length < 2 * radius_)) continue;
       for (double& x : way) x /= length;

@@ -18,6 +18,7 @@
 #include <numbers>
 #include <utility>
 
+#include "orthoball/measures/vectors.h"
 #include "orthoball/queries/sphere_triangles.h"
 #include "orthoball/topology/union_find.h"
 
@@ -42,11 +43,6 @@ double dot_product(const std::array<double, D>& a, const std::array<double, D>& 
   double sum = 0.0;
   for (std::size_t axis = 0; axis < D; ++axis) sum += a[axis] * b[axis];
   return sum;
-}
-
-std::array<double, 3> cross_product(const std::array<double, 3>& a,
-                                    const std::array<double, 3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 }  // namespace

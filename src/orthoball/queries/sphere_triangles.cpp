@@ -8,25 +8,15 @@
 #include <numbers>
 #include <utility>
 
+#include "orthoball/measures/vectors.h"
+
 namespace orthoball {
 namespace {
 
 using Vector = std::array<double, 3>;
 
-Vector difference(const Vector& a, const Vector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-double dot_product(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector cross_product(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 Vector unit(Vector vector) {
-  const double length = std::sqrt(dot_product(vector, vector));
+  const double length = std::sqrt(inner(vector, vector));
   for (double& x : vector) x /= length;
   return vector;
 }
@@ -48,14 +38,12 @@ SphereTriangles icosahedron() {
   const auto& x = result.corners;
   // Neighbours see each other from the centre under an angle of cosine 1 / sqrt(5), others under
   // right angles or more.
-  const auto are_near = [&](std::uint32_t a, std::uint32_t b) {
-    return dot_product(x[a], x[b]) > 0.25;
-  };
+  const auto are_near = [&](std::uint32_t a, std::uint32_t b) { return inner(x[a], x[b]) > 0.25; };
   for (std::uint32_t a = 0; a < 12; ++a) {
     for (std::uint32_t b = a + 1; b < 12; ++b) {
       for (std::uint32_t c = a + 1; c < 12; ++c) {
         if (c == b || !are_near(a, b) || !are_near(b, c) || !are_near(c, a)) continue;
-        if (dot_product(cross_product(x[a], x[b]), x[c]) > 0.0) result.all.push_back({a, b, c});
+        if (inner(cross_product(x[a], x[b]), x[c]) > 0.0) result.all.push_back({a, b, c});
       }
     }
   }
@@ -93,7 +81,7 @@ double depth(const SphereTriangles& triangles) {
   for (const auto& [a, b, c] : triangles.all) {
     const auto& x = triangles.corners;
     const auto normal = unit(cross_product(difference(x[b], x[a]), difference(x[c], x[a])));
-    nearest = std::min(nearest, dot_product(normal, x[a]));
+    nearest = std::min(nearest, inner(normal, x[a]));
   }
   return 1.0 - nearest;
 }
