@@ -5,6 +5,7 @@
 
 #include "cli/alpha_options.h"
 #include "cli/commands.h"
+#include "cli/data_options.h"
 #include "cli/input_options.h"
 #include "cli/output_file.h"
 #include "cli/usage_error.h"
@@ -68,20 +69,11 @@ void add_filter_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "filter", "Every simplex in the order of its alpha2, with the indices of its roles.");
   add_alpha_options(*command, options->alpha, false, "every simplex");
-  command->add_option("-o,--output", options->output, "file, or - for standard output")
-      ->type_name("FILE")
-      ->capture_default_str()
-      ->group("Output");
-  auto* const format = command
-                           ->add_option("--format", options->format,
-                                        "csv, json (one object a line) or npz (NumPy)\n"
-                                        "(default: by the name of -o, else csv)")
-                           ->type_name("NAME")
-                           ->check(CLI::IsMember({"csv", "json", "npz"}).description(""))
-                           ->group("Output");
-  command->add_flag("--json", options->json, "the same as --format json")
-      ->excludes(format)
-      ->group("Output");
+  add_data_options(*command, {options->output, options->format, options->json},
+                   {"file, or - for standard output",
+                    "csv, json (one object a line) or npz (NumPy)\n"
+                    "(default: by the name of -o, else csv)",
+                    {"csv", "json", "npz"}});
   add_input_options(*command, options->input);
   command->footer(
       "Columns: position from 1; dimension; vertices, the rows of INPUT from 0; alpha2 "

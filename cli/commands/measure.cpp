@@ -10,6 +10,7 @@
 
 #include "cli/balls.h"
 #include "cli/commands.h"
+#include "cli/data_options.h"
 #include "cli/input_options.h"
 #include "cli/measure_report.h"
 #include "cli/named_outputs.h"
@@ -224,19 +225,10 @@ void run(const MeasureOptions& options) {
 
 void add_output_options(CLI::App& command, MeasureOptions& options) {
   const std::string group = "Output";
-  command.add_option("-o,--output", options.output, "file of the report, or - for standard output")
-      ->type_name("FILE")
-      ->capture_default_str()
-      ->group(group);
-  auto* const format = command
-                           .add_option("--format", options.format,
-                                       "text or json\n(default: by the name of -o, else text)")
-                           ->type_name("NAME")
-                           ->check(CLI::IsMember({"text", "json"}).description(""))
-                           ->group(group);
-  command.add_flag("--json", options.json, "the same as --format json")
-      ->excludes(format)
-      ->group(group);
+  add_data_options(command, {options.output, options.format, options.json},
+                   {"file of the report, or - for standard output",
+                    "text or json\n(default: by the name of -o, else text)",
+                    {"text", "json"}});
   const auto file = [&](const std::string& name, std::string& path, const std::string& what) {
     command.add_option(name, path, what)->type_name("FILE")->group(group);
   };

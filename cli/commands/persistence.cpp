@@ -13,6 +13,7 @@
 
 #include "cli/alpha_number.h"
 #include "cli/commands.h"
+#include "cli/data_options.h"
 #include "cli/input_options.h"
 #include "cli/output_file.h"
 #include "cli/signature_picture.h"
@@ -125,20 +126,11 @@ void run(const PersistenceOptions& options) {
 
 void add_output_options(CLI::App& command, PersistenceOptions& options) {
   const std::string group = "Output";
-  command.add_option("-o,--output", options.output, "file, or - for standard output")
-      ->type_name("FILE")
-      ->capture_default_str()
-      ->group(group);
-  auto* const format = command
-                           .add_option("--format", options.format,
-                                       "csv, json or gudhi (lines \"2 dimension birth death\")\n"
-                                       "(default: by the name of -o, .pers for gudhi, else csv)")
-                           ->type_name("NAME")
-                           ->check(CLI::IsMember({"csv", "json", "gudhi"}).description(""))
-                           ->group(group);
-  command.add_flag("--json", options.json, "the same as --format json")
-      ->excludes(format)
-      ->group(group);
+  add_data_options(command, {options.output, options.format, options.json},
+                   {"file, or - for standard output",
+                    "csv, json or gudhi (lines \"2 dimension birth death\")\n"
+                    "(default: by the name of -o, .pers for gudhi, else csv)",
+                    {"csv", "json", "gudhi"}});
   auto* const plot =
       command.add_option("--plot", options.plot, "also draw them as SVG into this file")
           ->type_name("FILE")

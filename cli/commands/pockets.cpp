@@ -14,6 +14,7 @@
 
 #include "cli/balls.h"
 #include "cli/commands.h"
+#include "cli/data_options.h"
 #include "cli/named_outputs.h"
 #include "cli/output_file.h"
 #include "cli/region_files.h"
@@ -199,19 +200,10 @@ void run(const PocketsOptions& options) {
 
 void add_output_options(CLI::App& command, PocketsOptions& options) {
   const std::string group = "Output";
-  command.add_option("-o,--output", options.output, "file to write, or - for standard output")
-      ->type_name("FILE")
-      ->capture_default_str()
-      ->group(group);
-  auto* const format = command
-                           .add_option("--format", options.format,
-                                       "text, json or csv\n(default: by the name of -o, else text)")
-                           ->type_name("NAME")
-                           ->check(CLI::IsMember({"text", "json", "csv"}).description(""))
-                           ->group(group);
-  command.add_flag("--json", options.json, "the same as --format json")
-      ->excludes(format)
-      ->group(group);
+  add_data_options(command, {options.output, options.format, options.json},
+                   {"file to write, or - for standard output",
+                    "text, json or csv\n(default: by the name of -o, else text)",
+                    {"text", "json", "csv"}});
   const auto file = [&](const std::string& name, std::string& path, const std::string& what) {
     command.add_option(name, path, what)->type_name("FILE")->group(group);
   };

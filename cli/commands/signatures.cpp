@@ -14,6 +14,7 @@
 #include "cli/alpha_number.h"
 #include "cli/alpha_options.h"
 #include "cli/commands.h"
+#include "cli/data_options.h"
 #include "cli/input_options.h"
 #include "cli/output_file.h"
 #include "cli/signature_picture.h"
@@ -204,20 +205,11 @@ void run(const SignaturesOptions& options) {
 
 void add_output_options(CLI::App& command, SignaturesOptions& options) {
   const std::string group = "Output";
-  command.add_option("-o,--output", options.output, "file, or - for standard output")
-      ->type_name("FILE")
-      ->capture_default_str()
-      ->group(group);
-  auto* const format = command
-                           .add_option("--format", options.format,
-                                       "csv, json or npz (NumPy)\n"
-                                       "(default: by the name of -o, else csv)")
-                           ->type_name("NAME")
-                           ->check(CLI::IsMember({"csv", "json", "npz"}).description(""))
-                           ->group(group);
-  command.add_flag("--json", options.json, "the same as --format json")
-      ->excludes(format)
-      ->group(group);
+  add_data_options(command, {options.output, options.format, options.json},
+                   {"file, or - for standard output",
+                    "csv, json or npz (NumPy)\n"
+                    "(default: by the name of -o, else csv)",
+                    {"csv", "json", "npz"}});
   auto* const plot =
       command.add_option("--plot", options.plot, "also draw all signatures as SVG into this file")
           ->type_name("FILE")
