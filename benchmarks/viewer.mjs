@@ -7,12 +7,10 @@
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, statSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-const require = createRequire(new URL('../viewer/package.json', import.meta.url));
-const { chromium } = require('playwright-core');
+import { launched } from '../tools/chromium.mjs';
 
 const [program, ...sizes] = process.argv.slice(2);
 const kTrianglesOfSite = 13.5;
@@ -57,15 +55,7 @@ async function steps({ key, count }) {
 }
 
 const folder = mkdtempSync(join(tmpdir(), 'orthoball-'));
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-  args: [
-    '--no-sandbox',
-    '--use-angle=swiftshader',
-    '--enable-unsafe-swiftshader',
-    '--disable-background-networking',
-  ],
-});
+const browser = await launched();
 console.log(
   '| triangles | sites | page | bytes a site | open | drawn | step: script | step: sent | frame, step | frame, turn | draw calls |',
 );

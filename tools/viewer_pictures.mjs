@@ -4,14 +4,13 @@
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
+import { launched } from './chromium.mjs';
+
 const kRoot = join(dirname(fileURLToPath(import.meta.url)), '..');
-const require = createRequire(join(kRoot, 'viewer/package.json'));
-const { chromium } = require('playwright-core');
 
 const kPictures = [
   {
@@ -32,15 +31,7 @@ const kPictures = [
 
 const [program] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), 'orthoball-'));
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-  args: [
-    '--no-sandbox',
-    '--use-angle=swiftshader',
-    '--enable-unsafe-swiftshader',
-    '--disable-background-networking',
-  ],
-});
+const browser = await launched();
 try {
   for (const { name, input, theme, hash, zoom } of kPictures) {
     const file = join(folder, `${name}.html`);
