@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Our side of a comparison, see case.h.
+#include <array>
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
@@ -59,6 +60,16 @@ void run(const benchmarks::Case& task) {
     meter.report(task, {{"cells", cells}, {"vertices", vertices}});
     return;
   }
+  if (task.work == "balls") {
+    const Filtration<D> filtration(std::move(triangulation), std::array{0.0}, threads);
+    meter.stage("complex");
+    const UnionOfBalls balls =
+        union_of_balls(filtration, filtration.index(0.0), 0.0, UnionOptions{.threads = threads});
+    if (!(balls.area > 0.0)) throw std::logic_error("the union has no surface");
+    meter.stage("balls");
+    meter.report(task, {{"cells", cells}, {"vertices", vertices}});
+    return;
+  }
   const Filtration<D> filtration = filtered<D>(std::move(triangulation), threads);
   meter.stage("filtration");
   if (task.work == "signatures") {
@@ -67,11 +78,6 @@ void run(const benchmarks::Case& task) {
         filtration, [&](const Signature<D>& signature) { last = signature.index; }, threads);
     if (last != filtration.spectrum_size()) throw std::logic_error("an index was left out");
     meter.stage("signatures");
-  } else if (task.work == "balls") {
-    const UnionOfBalls balls =
-        union_of_balls(filtration, filtration.index(0.0), 0.0, UnionOptions{.threads = threads});
-    if (!(balls.area > 0.0)) throw std::logic_error("the union has no surface");
-    meter.stage("balls");
   } else if (task.work == "filtration") {
     const Filter<D> filter(filtration, threads);
     if (filter.simplices().size() != filtration.size()) {

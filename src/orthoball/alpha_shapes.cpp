@@ -24,7 +24,9 @@ Filtration<D> filtration_of(const WeightedPoints& points, const BuildOptions& op
   const std::size_t cells = triangulation.cell_count();
   options.memory.require(filtration_memory(D, points.size(), cells),
                          "the filtration of " + sites + " in " + std::to_string(cells) + " cells");
-  return Filtration<D>(std::move(triangulation), options.threads);
+  return options.alpha2.empty()
+             ? Filtration<D>(std::move(triangulation), options.threads)
+             : Filtration<D>(std::move(triangulation), options.alpha2, options.threads);
 }
 
 }  // namespace

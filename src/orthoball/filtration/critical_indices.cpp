@@ -2,9 +2,9 @@
 //
 // When every simplex enters, becomes regular and becomes interior, as ranks.
 //
-// The unattached simplices have ranks by their own values (value_ranks.h). These go down the
-// dimensions: an attached simplex enters with the first of its cofaces; the first proper coface
-// makes a simplex regular, the last cell around it makes it interior.
+// The unattached simplices have ranks by their own values (value_ranks.h, ranks_among.h). These go
+// down the dimensions: an attached simplex enters with the first of its cofaces; the first proper
+// coface makes a simplex regular, the last cell around it makes it interior.
 //
 // Edelsbrunner, Muecke. Three-dimensional alpha shapes. ACM Transactions on Graphics 13 (1994).
 #include "orthoball/filtration/critical_indices.h"
@@ -283,41 +283,23 @@ class HandDown {
   std::vector<Part> parts_;
 };
 
-// Ranks from 1 to the simplices that have them, which are far from each other.
-[[gnu::noinline]] void deal_ranks(std::span<const SimplexId> order, const RankedBits& starts,
-                                  Threads threads, std::uint32_t* enters) {
-  constexpr std::size_t kPart = std::size_t{1} << 16U;
-  constexpr std::size_t kAhead = 24;
-  parallel_parts(threads, order.size(), order.size() / kPart + 1,
-                 [&](std::size_t, std::size_t begin, std::size_t end) {
-                   std::uint32_t rank = starts.rank(static_cast<std::uint32_t>(begin));
-                   for (std::size_t i = begin; i < end; ++i) {
-                     const std::size_t ahead = std::min(i + kAhead, order.size() - 1);
-                     __builtin_prefetch(enters + order[ahead].row(), 1);
-                     rank += starts.contains(static_cast<std::uint32_t>(i)) ? 1U : 0U;
-                     enters[order[i].row()] = rank;
-                   }
-                 });
-}
-
 }  // namespace
 
 template <int D>
 CriticalIndices critical_indices(const RegularTriangulation<D>& triangulation,
                                  const SimplexTable<D>& table,
                                  const typename SimplexTable<D>::EdgesOfCells& edges_of_cells,
-                                 std::span<const std::uint64_t> is_attached,
-                                 std::span<const SimplexId> order, const RankedBits& starts,
-                                 Threads threads) {
+                                 std::span<const std::uint64_t> is_attached, std::uint32_t ranks,
+                                 const DealRanks& deal, Threads threads) {
   CriticalIndices result;
   result.enters.resize(table.size() + (std::size_t{threads.count()} + 1) * kApart);
-  deal_ranks(order, starts, threads, result.enters.data());
+  deal(std::span(result.enters).first(table.size()));
   with_affine_dimension(triangulation, [&]<int A>() {
     if constexpr (A >= 1) {
       constexpr std::size_t kLeastPart = std::size_t{1} << 16U;
       const auto cells = triangulation.template cells<A>();
       const Threads used = threads.for_work(cells.size(), kLeastPart);
-      HandDown<D, A>(cells, table, edges_of_cells, is_attached, starts.count() + 1, result)
+      HandDown<D, A>(cells, table, edges_of_cells, is_attached, ranks + 1, result)
           .run(used.count(), used);
     }
   });
@@ -327,13 +309,11 @@ CriticalIndices critical_indices(const RegularTriangulation<D>& triangulation,
 
 template CriticalIndices critical_indices<2>(const RegularTriangulation<2>&, const SimplexTable<2>&,
                                              const SimplexTable<2>::EdgesOfCells&,
-                                             std::span<const std::uint64_t>,
-                                             std::span<const SimplexId>, const RankedBits&,
-                                             Threads);
+                                             std::span<const std::uint64_t>, std::uint32_t,
+                                             const DealRanks&, Threads);
 template CriticalIndices critical_indices<3>(const RegularTriangulation<3>&, const SimplexTable<3>&,
                                              const SimplexTable<3>::EdgesOfCells&,
-                                             std::span<const std::uint64_t>,
-                                             std::span<const SimplexId>, const RankedBits&,
-                                             Threads);
+                                             std::span<const std::uint64_t>, std::uint32_t,
+                                             const DealRanks&, Threads);
 
 }  // namespace orthoball

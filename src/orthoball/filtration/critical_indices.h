@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "orthoball/filtration/simplex_table.h"
-#include "orthoball/filtration/value_ranks.h"
-#include "orthoball/ids.h"
 #include "orthoball/parallel.h"
 #include "orthoball/raw_vector.h"
 #include "orthoball/triangulation/regular_triangulation.h"
@@ -27,6 +26,9 @@ struct CriticalIndices {
   RawVector<RoleIndices> roles;     ///< [simplex]; not of all, see below
 };
 
+/// Writes the ranks of the unattached simplices, 1 to the number of ranks, by simplex.
+using DealRanks = std::function<void(std::span<std::uint32_t>)>;
+
 /// The unattached simplices have their ranks; from these follow all the others' indices.
 ///
 /// `roles` end before the facets of the cells where these are of full dimension:
@@ -34,21 +36,24 @@ struct CriticalIndices {
 ///
 /// @param edges_of_cells  what the table gave with it; read where the cells are tetrahedra.
 /// @param is_attached     a bit for every simplex, 64 to a word.
-/// @param order           the unattached simplices by value, as value_ranks leaves them.
-/// @param starts          ValueRanks::starts
+/// @param ranks           how many there are.
 /// Linear.
 template <int D>
 [[nodiscard]] CriticalIndices critical_indices(
     const RegularTriangulation<D>& triangulation, const SimplexTable<D>& table,
     const typename SimplexTable<D>::EdgesOfCells& edges_of_cells,
-    std::span<const std::uint64_t> is_attached, std::span<const SimplexId> order,
-    const RankedBits& starts, Threads threads);
+    std::span<const std::uint64_t> is_attached, std::uint32_t ranks, const DealRanks& deal,
+    Threads threads);
 
-extern template CriticalIndices critical_indices<2>(
-    const RegularTriangulation<2>&, const SimplexTable<2>&, const SimplexTable<2>::EdgesOfCells&,
-    std::span<const std::uint64_t>, std::span<const SimplexId>, const RankedBits&, Threads);
-extern template CriticalIndices critical_indices<3>(
-    const RegularTriangulation<3>&, const SimplexTable<3>&, const SimplexTable<3>::EdgesOfCells&,
-    std::span<const std::uint64_t>, std::span<const SimplexId>, const RankedBits&, Threads);
+extern template CriticalIndices critical_indices<2>(const RegularTriangulation<2>&,
+                                                    const SimplexTable<2>&,
+                                                    const SimplexTable<2>::EdgesOfCells&,
+                                                    std::span<const std::uint64_t>, std::uint32_t,
+                                                    const DealRanks&, Threads);
+extern template CriticalIndices critical_indices<3>(const RegularTriangulation<3>&,
+                                                    const SimplexTable<3>&,
+                                                    const SimplexTable<3>::EdgesOfCells&,
+                                                    std::span<const std::uint64_t>, std::uint32_t,
+                                                    const DealRanks&, Threads);
 
 }  // namespace orthoball

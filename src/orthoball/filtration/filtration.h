@@ -43,6 +43,13 @@ class Filtration {
   /// The same on any number of threads.
   /// @throws LimitError as SimplexTable does.
   explicit Filtration(RegularTriangulation<D> triangulation, Threads threads = {});
+  /// The complexes at some values of alpha2 alone, in half the time: all that is told of an index
+  /// is exact, but the spectrum has these values and last infinity, where every simplex is there.
+  /// At some of them nothing may happen.
+  /// @param alpha2  ascending, finite; length^2 in input units.
+  /// @throws LimitError as SimplexTable does; InputError for values that do not ascend.
+  Filtration(RegularTriangulation<D> triangulation, std::span<const double> alpha2,
+             Threads threads = {});
 
   [[nodiscard]] const RegularTriangulation<D>& triangulation() const { return triangulation_; }
   [[nodiscard]] const SimplexTable<D>& table() const { return table_; }
@@ -86,6 +93,8 @@ class Filtration {
   [[nodiscard]] std::uint32_t index(double alpha2) const;
   /// s + 1, the index of what does not happen.
   [[nodiscard]] std::uint32_t never() const { return spectrum_size() + 1; }
+  /// Whether the spectrum has given values instead of all: then nothing is known between them.
+  [[nodiscard]] bool is_coarse() const { return is_coarse_; }
 
   // The three indices of a simplex.
 
@@ -136,7 +145,8 @@ class Filtration {
   SimplexTable<D> table_;
   std::vector<std::uint64_t> is_attached_;  // bit per simplex
   RawVector<double> spectrum_;              // [index - 1]
-  CriticalIndices indices_;                 // by simplex
+  bool is_coarse_ = false;
+  CriticalIndices indices_;  // by simplex
 };
 
 extern template class Filtration<2>;  // defined in filtration.cpp

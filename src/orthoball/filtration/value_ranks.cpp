@@ -23,6 +23,7 @@
 #include "orthoball/filtration/class_writer.h"
 #include "orthoball/filtration/crowded_bucket.h"
 #include "orthoball/filtration/label_buckets.h"
+#include "orthoball/filtration/simplex_labels.h"
 #include "orthoball/filtration/simplex_reader.h"
 
 namespace orthoball {
@@ -86,8 +87,6 @@ class Ranking {
   void rank_vertices();
   [[nodiscard]] std::vector<double> sample_of_labels() const;
   void deal_labels(std::vector<LabelList>& lists) const;
-  template <int K>
-  void deal_labels(LabelList& list, std::uint32_t begin, std::uint32_t end) const;
   [[nodiscard]] std::vector<Group> groups_of(const std::vector<LabelList>& lists,
                                              std::size_t buckets) const;
   void rank(const std::vector<LabelList>& lists, const BucketRule& rule, Group& group);
@@ -117,29 +116,6 @@ class Ranking {
 
 // --- labels ------------------------------------------------------------------------------------
 
-template <int D, int A>
-template <int K>
-void Ranking<D, A>::deal_labels(LabelList& list, std::uint32_t begin, std::uint32_t end) const {
-  constexpr std::size_t kBlock = 256;
-  std::array<CornerSites<std::size_t{K} + 1>, kBlock> corners;
-  std::array<std::uint32_t, kBlock> simplices;
-  std::array<double, kBlock> found;
-  std::size_t size = 0;
-  const auto flush = [&] {
-    squared_orthoradii<D, std::size_t{K} + 1>(sites_, std::span(corners).first(size), found);
-    for (std::size_t i = 0; i < size; ++i) list.add(found[i], simplices[i]);
-    size = 0;
-  };
-  for (std::uint32_t number = begin; number < end; ++number) {
-    // What is attached is written over by the next: whether it is is hard to foretell.
-    simplices[size] = first(K) + number;
-    corners[size] = reader_.template corners<K>(number);
-    size += bit_at(is_attached_.data(), first(K) + number) ? 0U : 1U;
-    if (size == kBlock) flush();
-  }
-  flush();
-}
-
 // The parts of each dimension fill lists that follow each other.
 template <int D, int A>
 void Ranking<D, A>::deal_labels(std::vector<LabelList>& lists) const {
@@ -150,8 +126,11 @@ void Ranking<D, A>::deal_labels(std::vector<LabelList>& lists) const {
       if (i / parts != K || (K == 0 && sites_.is_unweighted())) return;
       const std::size_t part = i % parts;
       const std::uint64_t size = count(K);
-      deal_labels<K>(lists[i], static_cast<std::uint32_t>(size * part / parts),
-                     static_cast<std::uint32_t>(size * (part + 1) / parts));
+      LabelList& list = lists[i];
+      for_each_label<K>(sites_, reader_, is_attached_,
+                        static_cast<std::uint32_t>(size * part / parts),
+                        static_cast<std::uint32_t>(size * (part + 1) / parts),
+                        [&](std::uint32_t simplex, double label) { list.add(label, simplex); });
     };
     deal.template operator()<0>();
     if constexpr (A >= 1) deal.template operator()<1>();
@@ -410,6 +389,23 @@ ValueRanks value_ranks(const RegularTriangulation<D>& triangulation, const Simpl
     result = Ranking<D, A>(triangulation, table, is_attached, order, threads).ranks();
   });
   return result;
+}
+
+// To simplices far from each other.
+void deal_ranks(std::span<const SimplexId> order, const RankedBits& starts,
+                std::span<std::uint32_t> ranks, Threads threads) {
+  constexpr std::size_t kPart = std::size_t{1} << 16U;
+  constexpr std::size_t kAhead = 24;
+  parallel_parts(threads, order.size(), order.size() / kPart + 1,
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   std::uint32_t rank = starts.rank(static_cast<std::uint32_t>(begin));
+                   for (std::size_t i = begin; i < end; ++i) {
+                     const std::size_t ahead = std::min(i + kAhead, order.size() - 1);
+                     __builtin_prefetch(&ranks[order[ahead].row()], 1);
+                     rank += starts.contains(static_cast<std::uint32_t>(i)) ? 1U : 0U;
+                     ranks[order[i].row()] = rank;
+                   }
+                 });
 }
 
 template ValueRanks value_ranks<2>(const RegularTriangulation<2>&, const SimplexTable<2>&,

@@ -34,6 +34,10 @@ template <int D>
                                      std::span<const std::uint64_t> is_attached,
                                      std::span<SimplexId> order, Threads threads);
 
+/// Writes the rank of each simplex of the order, from 1, to [simplex].
+void deal_ranks(std::span<const SimplexId> order, const RankedBits& starts,
+                std::span<std::uint32_t> ranks, Threads threads);
+
 extern template ValueRanks value_ranks<2>(const RegularTriangulation<2>&, const SimplexTable<2>&,
                                           std::span<const std::uint64_t>, std::span<SimplexId>,
                                           Threads);

@@ -39,6 +39,12 @@ ScaledBalls<D>::ScaledBalls(const Filtration<D>& filtration, std::uint32_t index
     throw InputError(InputError::Reason::not_finite, InputError::kNoRow,
                      "alpha2 of a union of balls must be finite");
   }
+  if (filtration.is_coarse() && std::isfinite(alpha2) &&
+      (index == 0 || filtration.alpha2(index) != alpha2)) {
+    throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
+                     "alpha2 of a union of balls must be that of the index, for nothing is known "
+                     "between the values of a coarse filtration");
+  }
   const Sites<D>& sites = filtration.triangulation().sites();
   const int exponent = shrinking(sites, alpha2);
   scale_exponent_ = sites.scale_exponent() + exponent;

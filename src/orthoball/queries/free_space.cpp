@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "orthoball/error.h"
 #include "orthoball/filtration/edge_ring.h"
 #include "orthoball/measures/compensated_sum.h"
 
@@ -29,7 +30,11 @@ std::array<Sphere<2>, 3> in_plane(const std::array<Sphere<3>, 3>& corners) {
 
 template <int D>
 FreeSpace<D>::FreeSpace(const Filtration<D>& filtration, std::uint32_t index, double alpha2)
-    : filtration_(&filtration), index_(index), balls_(filtration, index, alpha2) {}
+    : filtration_(&filtration), index_(index), balls_(filtration, index, alpha2) {
+  if (!filtration.is_coarse()) return;
+  throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
+                   "voids and pockets are told by all values of a filtration; this one is coarse");
+}
 
 template <int D>
 typename FreeSpace<D>::Corners FreeSpace<D>::corners(SimplexId cell) const {

@@ -218,7 +218,8 @@ std::vector<BoundaryPoint<D>> nearest_on_boundary(const Filtration<D>& filtratio
                                                   std::uint32_t index, const WeightedPoints& points,
                                                   bool regularized, Threads threads) {
   require_dimension(points, D);
-  const ScaledBalls<D> balls(filtration, index, 0.0);
+  constexpr double kNoRadii = -std::numeric_limits<double>::infinity();
+  const ScaledBalls<D> balls(filtration, index, kNoRadii);
   const BoxTree<D> tree(boundary_pieces(filtration, index, regularized, balls));
   const InputUnits lengths = balls.units(1);
   std::vector<BoundaryPoint<D>> result(points.size());
