@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Digests of the triangulation, filtration, signatures and union of balls of large inputs of every
+// Digests of the triangulation, filtrations, signatures and union of balls of large inputs of every
 // family on several numbers of threads, with rows in order and shuffled: a line for each input, and
 // a failure where any of them differ. Takes minutes.
 //
@@ -8,11 +8,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "generators/point_families.h"
 #include "orthoball/large_blocks.h"
@@ -50,13 +53,29 @@ struct Way {
 };
 constexpr std::array<Way, 5> kWays{{{1, false}, {2, true}, {2, false}, {4, false}, {16, true}}};
 
+// Some values of the spectrum, ascending.
+template <int D>
+std::vector<double> quartiles(const Filtration<D>& filtration) {
+  std::vector<double> values;
+  for (std::uint64_t quarter = 1; quarter < 4; ++quarter) {
+    const auto index = static_cast<std::uint32_t>(filtration.spectrum_size() * quarter / 4);
+    if (index == 0 || !std::isfinite(filtration.alpha2(index))) continue;
+    if (values.empty() || values.back() < filtration.alpha2(index)) {
+      values.push_back(filtration.alpha2(index));
+    }
+  }
+  return values;
+}
+
 template <int D>
 std::string digests(const WeightedPoints& points, Threads threads) {
   const LargeBlockReuse reuse;
   RegularTriangulation<D> triangulation = regular_triangulation<D>(points, threads);
   std::string text = matchers::digest(triangulation, points).text();
   const Filtration<D> filtration(std::move(triangulation), threads);
-  return text + ' ' + matchers::digest(filtration, threads).text() + ' ' +
+  const Filtration<D> coarse(filtration.triangulation(), quartiles(filtration), threads);
+  return text + ' ' + matchers::digest(coarse, threads).text() + ' ' +
+         matchers::digest(filtration, threads).text() + ' ' +
          matchers::signatures_digest(filtration, threads).text() + ' ' +
          matchers::balls_digest(filtration, threads).text();
 }
