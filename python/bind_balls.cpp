@@ -27,14 +27,14 @@ UnionOfBalls union_of_balls(const AlphaShapes& shapes, std::uint32_t index, doub
 
 nb::tuple contacts(const UnionOfBalls& self) {
   std::vector<orthoball::SiteId> rows;
-  std::vector<double> area, exposed;
+  std::vector<double> area, exposed_length;
   for (const orthoball::Contact& contact : self.contacts) {
     rows.insert(rows.end(), contact.rows.begin(), contact.rows.end());
     area.push_back(contact.area);
-    exposed.push_back(contact.exposed);
+    exposed_length.push_back(contact.exposed_length);
   }
   return nb::make_tuple(owned<std::uint32_t>(std::move(rows), {self.contacts.size(), 2}),
-                        owned<double>(std::move(area)), owned<double>(std::move(exposed)));
+                        owned<double>(std::move(area)), owned<double>(std::move(exposed_length)));
 }
 
 nb::tuple derivatives(nb::handle self) {
@@ -93,7 +93,7 @@ void bind_balls(nb::module_& module) {
       .def_prop_ro("areas", part(&UnionOfBalls::areas),
                    nb::sig("def areas(self) -> numpy.typing.NDArray[numpy.float64]"),
                    "(n,) by row.")
-      .def("contacts", &contacts, "rows (k, 2) uint32, area (k,), exposed (k,).")
+      .def("contacts", &contacts, "rows (k, 2) uint32, area (k,), exposed_length (k,).")
       .def("derivatives", &derivatives,
            "area_by_radius (n,), volume_by_centre (n, D), area_by_centre (n, D).");
   module.def("union_of_balls", &union_of_balls, nb::arg("shapes"), nb::arg("index"),

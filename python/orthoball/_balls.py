@@ -22,7 +22,7 @@ class Contacts(NamedTuple):
     """(k, 2) ascending rows."""
     area: NDArray[np.float64]
     """(k,) of the facet, length^2; in the plane its length."""
-    exposed: NDArray[np.float64]
+    exposed_length: NDArray[np.float64]
     """(k,) length of their circle on the surface; in the plane the number of their points there."""
 
 

@@ -257,7 +257,7 @@ class UnionOfBalls:
         """(n,) by row."""
 
     def contacts(self) -> tuple:
-        """rows (k, 2) uint32, area (k,), exposed (k,)."""
+        """rows (k, 2) uint32, area (k,), exposed_length (k,)."""
 
     def derivatives(self) -> tuple:
         """area_by_radius (n,), volume_by_centre (n, D), area_by_centre (n, D)."""

@@ -295,7 +295,7 @@ class Tables(Measure):
         (contact,) = self.table("--contacts", self.balls("0 0 0 1\n1 0 0 1\n"))
         self.assertEqual((contact["row_1"], contact["row_2"]), ("0", "1"))
         self.assertAlmostEqual(float(contact["area"]), 0.75 * math.pi, places=12)
-        self.assertAlmostEqual(float(contact["exposed"]), math.sqrt(3) * math.pi, places=12)
+        self.assertAlmostEqual(float(contact["exposed_length"]), math.sqrt(3) * math.pi, places=12)
         pairs = [(int(row["row_1"]), int(row["row_2"])) for row in self.table("--contacts", DNA)]
         self.assertEqual(pairs, sorted(set(pairs)))
         complex_at_0 = csv.DictReader(io.StringIO(

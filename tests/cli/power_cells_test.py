@@ -67,9 +67,9 @@ class InABox(Cells):
     def test_two_balls_halve_the_box(self):
         rows = self.table(self.two(), BOX)
         self.assertEqual(list(rows[0]), ["row", "chain", "residue", "atom", "element", "volume",
-                                         "area", "exposed", "facets", "is_clipped"])
+                                         "area", "exposed_area", "facets", "is_clipped"])
         for row in rows:
-            self.assertEqual((row["volume"], row["area"], row["exposed"], row["facets"],
+            self.assertEqual((row["volume"], row["area"], row["exposed_area"], row["facets"],
                               row["is_clipped"]), ("40", "72", "56", "1", "1"))
 
     def test_the_box_is_around_the_balls_and_is_told(self):
@@ -141,11 +141,11 @@ class InBalls(Cells):
             atoms = list(csv.DictReader(io.StringIO(path.read_text())))
             rows = self.table(sample, *options, "--cells-within", "balls")
             for atom, row in zip(atoms, rows, strict=True):
-                self.assertEqual((row["volume"], row["exposed"]), (atom["volume"], atom["area"]))
+                self.assertEqual((row["volume"], row["exposed_area"]), (atom["volume"], atom["area"]))
 
     def test_contacts_are_a_part_of_the_surface(self):
         (row, _) = self.table(self.two(), "--cells-within", "balls")
-        self.assertAlmostEqual(float(row["area"]) - float(row["exposed"]), 0.75 * math.pi)
+        self.assertAlmostEqual(float(row["area"]) - float(row["exposed_area"]), 0.75 * math.pi)
         self.assertEqual(row["facets"], "1")
 
     def test_surfaces_come_as_near_as_is_wanted(self):

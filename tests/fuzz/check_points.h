@@ -38,7 +38,7 @@ void check_balls(const Filtration<D>& filtration) {
               "a ball's part is not a number");
     }
     for (const Contact& contact : balls.contacts) {
-      require(contact.area >= 0.0 && contact.exposed >= 0.0, "a contact is not a number");
+      require(contact.area >= 0.0 && contact.exposed_length >= 0.0, "a contact is not a number");
     }
     if constexpr (D == 3) {
       for (const double probe : {0.0, std::sqrt(std::abs(alpha2)) / 2, 1e300}) {

@@ -104,7 +104,7 @@ TEST(PowerCells, HaveFacetsInCommon) {
       }
       const double error = 1e-11 * std::pow(of.longest, D - 1);
       EXPECT_NEAR(cell.area, area, error);
-      EXPECT_NEAR(cell.exposed, exposed, error);
+      EXPECT_NEAR(cell.exposed_area, exposed, error);
     }
     for (const auto& [pair, area] : areas) {
       const auto other = areas.find({pair.second, pair.first});
@@ -298,7 +298,7 @@ template <int D>
 std::vector<std::array<double, 4>> sorted_numbers(const std::vector<PowerCell<D>>& cells) {
   std::vector<std::array<double, 4>> numbers;
   for (const PowerCell<D>& cell : cells) {
-    numbers.push_back({cell.volume, cell.area, cell.exposed, double(cell.facet_count)});
+    numbers.push_back({cell.volume, cell.area, cell.exposed_area, double(cell.facet_count)});
   }
   std::sort(numbers.begin(), numbers.end());
   return numbers;
@@ -357,7 +357,7 @@ TEST(PowerCellsInBalls, HaveSurfacesNearTheirParts) {
           inside /= D == 2 ? 2 : 6;
           EXPECT_LE(inside, cell.volume * (1 + 1e-12) + 1e-14);
           // A shell of the depth of the tolerance over all that is exposed.
-          EXPECT_GE(inside, cell.volume - 1.5e-3 * radius * cell.exposed - 1e-12);
+          EXPECT_GE(inside, cell.volume - 1.5e-3 * radius * cell.exposed_area - 1e-12);
         }
       };
       dimension == 2 ? check.template operator()<2>() : check.template operator()<3>();

@@ -159,9 +159,9 @@ TEST(UnionOfBalls, IsTheSumOfItsPartsWhichAreFiniteAndNotNegative) {
       for (const Contact& contact : found.contacts) {
         ASSERT_LT(contact.rows[0], contact.rows[1]);
         ASSERT_GE(contact.area, 0.0);
-        ASSERT_GE(contact.exposed, 0.0);
+        ASSERT_GE(contact.exposed_length, 0.0);
         ASSERT_TRUE(std::isfinite(contact.area));
-        ASSERT_TRUE(std::isfinite(contact.exposed));
+        ASSERT_TRUE(std::isfinite(contact.exposed_length));
       }
       ASSERT_TRUE(std::is_sorted(found.contacts.begin(), found.contacts.end(),
                                  [](const auto& a, const auto& b) { return a.rows < b.rows; }));
@@ -402,7 +402,8 @@ void expect_the_same_on_all(PointFamily family, std::size_t count) {
       for (std::size_t i = 0; i < one.contacts.size(); ++i) {
         ASSERT_EQ(one.contacts[i].rows, many.contacts[i].rows);
         ASSERT_TRUE(have_the_same_bits(one.contacts[i].area, many.contacts[i].area));
-        ASSERT_TRUE(have_the_same_bits(one.contacts[i].exposed, many.contacts[i].exposed));
+        ASSERT_TRUE(
+            have_the_same_bits(one.contacts[i].exposed_length, many.contacts[i].exposed_length));
       }
     }
   }

@@ -135,7 +135,7 @@ Digest balls_digest(const Filtration<D>& filtration, Threads threads) {
   for (const Contact& contact : balls.contacts) {
     Digest of_one;
     of_one.add(contact.area);
-    of_one.add(contact.exposed);
+    of_one.add(contact.exposed_length);
     digest.add_to_set(of_one);
   }
   for (const auto& one : voids(filtration, index, alpha2, VoidsOf::balls, threads)) {

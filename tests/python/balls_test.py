@@ -22,7 +22,7 @@ def test_two_balls_have_closed_forms():
     contacts = balls.contacts
     assert contacts.rows.tolist() == [[0, 1]]
     assert contacts.area.tolist() == pytest.approx([0.75 * math.pi])
-    assert contacts.exposed.tolist() == pytest.approx([2 * math.pi * math.sqrt(0.75)])
+    assert contacts.exposed_length.tolist() == pytest.approx([2 * math.pi * math.sqrt(0.75)])
     assert "2 balls at alpha2 0.0, probe 0.0" in repr(balls)
     # Both spheres less a cap, and the arc where they meet: -length x angle / 2.
     arc = -math.pi * math.sqrt(3) * (math.pi / 3) / 2

@@ -103,7 +103,7 @@ void Union<D>::add(const ContactFacet<D>& facet) {
   if (options_.contacts) {
     const Sites<D>& sites = filtration_.triangulation().sites();
     Contact contact{{sites.row(ends[0]), sites.row(ends[1])}, facet.area, facet.exposed};
-    if (D == 3) contact.exposed *= facet.lens.radius;
+    if (D == 3) contact.exposed_length *= facet.lens.radius;
     if (contact.rows[1] < contact.rows[0]) std::swap(contact.rows[0], contact.rows[1]);
     result_.contacts.push_back(contact);
   }
@@ -198,7 +198,7 @@ void Union<D>::sort_contacts() {
   const InputUnits areas = units(D - 1), lengths = units(D - 2);
   for (Contact& contact : result_.contacts) {
     contact.area = in(areas, contact.area);
-    contact.exposed = in(lengths, contact.exposed);
+    contact.exposed_length = in(lengths, contact.exposed_length);
   }
   std::sort(result_.contacts.begin(), result_.contacts.end(),
             [](const Contact& a, const Contact& b) { return a.rows < b.rows; });

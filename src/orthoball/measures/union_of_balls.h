@@ -14,10 +14,10 @@ namespace orthoball {
 
 /// Where two balls of a union touch: the common facet of their power cells inside the union.
 struct Contact {
-  std::array<SiteId, 2> rows;  ///< ascending
-  double area = 0.0;           ///< of the facet; length^2, in the plane its length
-  double exposed = 0.0;        ///< length of their circle on the surface; in the plane the number
-                               ///< of their two points there
+  std::array<SiteId, 2> rows;   ///< ascending
+  double area = 0.0;            ///< of the facet; length^2, in the plane its length
+  double exposed_length = 0.0;  ///< of their circle on the surface; in the plane the number
+                                ///< of their two points there
 };
 
 /// How volume and area change with single balls. Where balls just touch, from outside or inside,

@@ -92,12 +92,12 @@ void write_contacts(ByteSink& sink, TableFormat format, std::span<const Contact>
   const RowNames names(labels);
   std::vector<std::string> columns = RowNames::columns("_1");
   append(columns, RowNames::columns("_2"));
-  append(columns, {"area", "exposed"});
+  append(columns, {"area", "exposed_length"});
   TableWriter table(sink, format, columns);
   for (const Contact& contact : contacts) {
     for (const SiteId row : contact.rows) names.write(table, row.row());
     table.real(contact.area);
-    table.real(contact.exposed);
+    table.real(contact.exposed_length);
   }
   table.finish();
 }

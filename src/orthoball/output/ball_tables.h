@@ -28,8 +28,8 @@ void write_balls(ByteSink& sink, TableFormat format, const UnionOfBalls& balls,
 void write_residues(ByteSink& sink, TableFormat format, const UnionOfBalls& balls,
                     const SiteLabels& labels);
 
-/// `row_1,chain_1,residue_1,atom_1,row_2,chain_2,residue_2,atom_2,area,exposed`, one line a pair of
-/// balls that touch, in the order given.
+/// `row_1,chain_1,residue_1,atom_1,row_2,chain_2,residue_2,atom_2,area,exposed_length`, one line a
+/// pair of balls that touch, in the order given.
 void write_contacts(ByteSink& sink, TableFormat format, std::span<const Contact> contacts,
                     const SiteLabels& labels);
 

@@ -44,14 +44,14 @@ struct VtuCells {
 };
 
 struct VtuCellData {
-  VtuArray row, volume, area, exposed, facets, is_clipped;
+  VtuArray row, volume, area, exposed_area, facets, is_clipped;
 
   template <int D>
   void add(const PowerCell<D>& cell) {
     row.add(cell.row.row());
     volume.add(cell.volume);
     area.add(cell.area);
-    exposed.add(cell.exposed);
+    exposed_area.add(cell.exposed_area);
     facets.add(cell.facet_count);
     is_clipped.add(static_cast<std::uint8_t>(cell.is_clipped ? 1 : 0));
   }
@@ -64,7 +64,7 @@ void write_power_cells(ByteSink& sink, TableFormat format, std::span<const Power
                        std::size_t rows, const SiteLabels& labels) {
   const RowNames names(labels);
   std::vector<std::string> columns = RowNames::columns();
-  for (const char* column : {"element", "volume", "area", "exposed", "facets", "is_clipped"}) {
+  for (const char* column : {"element", "volume", "area", "exposed_area", "facets", "is_clipped"}) {
     columns.emplace_back(column);
   }
   TableWriter table(sink, format, columns);
@@ -77,7 +77,7 @@ void write_power_cells(ByteSink& sink, TableFormat format, std::span<const Power
     table.text(names.element(row));
     table.real(cell.volume);
     table.real(cell.area);
-    table.real(cell.exposed);
+    table.real(cell.exposed_area);
     table.integer(cell.facet_count);
     table.integer(cell.is_clipped ? 1 : 0);
   }
@@ -111,7 +111,7 @@ void write_power_cells_vtu(ByteSink& sink, std::span<const PowerCell<D>> cells) 
   data.row.write(sink, "type=\"UInt32\" Name=\"row\"");
   data.volume.write(sink, "type=\"Float64\" Name=\"volume\"");
   data.area.write(sink, "type=\"Float64\" Name=\"area\"");
-  data.exposed.write(sink, "type=\"Float64\" Name=\"exposed\"");
+  data.exposed_area.write(sink, "type=\"Float64\" Name=\"exposed_area\"");
   data.facets.write(sink, "type=\"UInt32\" Name=\"facets\"");
   data.is_clipped.write(sink, "type=\"UInt8\" Name=\"is_clipped\"");
   sink.text("</CellData>\n");

@@ -12,8 +12,8 @@
 
 namespace orthoball {
 
-/// `row,chain,residue,atom,element,volume,area,exposed,facets,is_clipped`, one line an input row,
-/// as those of the other tables of balls. Rows without a power cell, hidden and equal ones
+/// `row,chain,residue,atom,element,volume,area,exposed_area,facets,is_clipped`, one line an input
+/// row, as those of the other tables of balls. Rows without a power cell, hidden and equal ones
 /// included, end in zeros. `facets` is the number of neighbours, `is_clipped` 1 or 0.
 /// @param cells  by row.
 /// @param rows   of the input.
@@ -23,7 +23,7 @@ void write_power_cells(ByteSink& sink, TableFormat format, std::span<const Power
                        std::size_t rows, const SiteLabels& labels);
 
 /// VTK's unstructured grid: a polyhedron, in the plane a polygon, for every power cell that has a
-/// surface, each with corners of its own, and cell data `row`, `volume`, `area`, `exposed`,
+/// surface, each with corners of its own, and cell data `row`, `volume`, `area`, `exposed_area`,
 /// `facets`, `is_clipped`. Arrays as base64.
 /// @throws OutputError
 template <int D>

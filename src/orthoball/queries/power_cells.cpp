@@ -180,7 +180,7 @@ class PowerCells {
       }
     }
     cell.area = areas_({area, 0.0});
-    cell.exposed = areas_({exposed, 0.0});
+    cell.exposed_area = areas_({exposed, 0.0});
   }
 
   void take_surface(const ConvexPolytope<D>& polytope, const Sphere<D>& ball,
@@ -322,7 +322,7 @@ std::vector<PowerCell<D>> power_cells_in_balls(const Filtration<D>& filtration,
     cell.row = sites.row(vertex.row());
     const std::size_t row = cell.row.row();
     cell.volume = balls.volumes[row];
-    cell.exposed = balls.areas[row];
+    cell.exposed_area = balls.areas[row];
     cell.area = balls.areas[row] + touching[row].area;
     cell.facet_count = touching[row].count;
     cell.is_clipped = filtration.interior(SimplexId(vertex.row())) > balls.index;

@@ -35,7 +35,7 @@ struct PowerCell {
   SiteId row;
   double volume = 0.0;            ///< length^D
   double area = 0.0;              ///< of its whole surface; length^(D-1)
-  double exposed = 0.0;           ///< of that, what is on the box or on the sphere
+  double exposed_area = 0.0;      ///< of that, what is on the box or on the sphere
   std::uint32_t facet_count = 0;  ///< neighbours with a facet in common
   bool is_clipped = false;        ///< the box or the ball cuts it, or it lies beyond
   // Its surface, closed; nothing unless wanted, or where the volume is 0.

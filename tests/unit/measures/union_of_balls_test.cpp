@@ -93,7 +93,7 @@ TEST(UnionOfBalls, OfTwoUnitBallsHasClosedForms) {
   ASSERT_EQ(two.contacts.size(), 1U);
   EXPECT_EQ(two.contacts[0].rows, (std::array{SiteId(0), SiteId(1)}));
   EXPECT_DOUBLE_EQ(two.contacts[0].area, 0.75 * pi);
-  EXPECT_DOUBLE_EQ(two.contacts[0].exposed, pi * std::sqrt(3.0));
+  EXPECT_DOUBLE_EQ(two.contacts[0].exposed_length, pi * std::sqrt(3.0));
   // V = 4 pi / 3 + pi (d - d^3 / 12), A = 4 pi + 2 pi d.
   EXPECT_NEAR(two.derivatives.volume_by_centre[4], 0.75 * pi, 1e-14);
   EXPECT_NEAR(two.derivatives.volume_by_centre[1], -0.75 * pi, 1e-14);
@@ -106,7 +106,7 @@ TEST(UnionOfBalls, OfTwoUnitBallsHasClosedForms) {
   EXPECT_NEAR(disks.area, 8 * pi / 3, 4e-15);
   ASSERT_EQ(disks.contacts.size(), 1U);
   EXPECT_DOUBLE_EQ(disks.contacts[0].area, std::sqrt(3.0));
-  EXPECT_EQ(disks.contacts[0].exposed, 2.0);
+  EXPECT_EQ(disks.contacts[0].exposed_length, 2.0);
 }
 
 TEST(UnionOfBalls, OfBallsApartOrInTouchIsTheirSum) {
@@ -206,7 +206,7 @@ TEST(UnionOfBalls, LeavesOutEmptyAndHiddenBalls) {
   EXPECT_DOUBLE_EQ(balls.volumes[0], balls.volumes[4]);
   EXPECT_EQ(balls.areas[3], 0.0);
   EXPECT_EQ(balls.euler, 2);
-  for (const Contact& contact : balls.contacts) EXPECT_EQ(contact.exposed, 0.0);
+  for (const Contact& contact : balls.contacts) EXPECT_EQ(contact.exposed_length, 0.0);
 }
 
 TEST(UnionOfBalls, BelowTheFirstEntryIsEmpty) {
@@ -286,7 +286,7 @@ TEST(UnionOfBalls, OfDecimalsIsInInputUnits) {
   EXPECT_NEAR(two.area, 6 * pi, 1e-14);
   EXPECT_NEAR(two.mean_curvature, 16.0004465427, 5e-11);
   EXPECT_NEAR(two.contacts[0].area, 0.75 * pi, 1e-15);
-  EXPECT_NEAR(two.contacts[0].exposed, pi * std::sqrt(3.0), 1e-15);
+  EXPECT_NEAR(two.contacts[0].exposed_length, pi * std::sqrt(3.0), 1e-15);
   EXPECT_NEAR(two.derivatives.area_by_centre[4], 2 * pi, 1e-14);
 }
 
@@ -344,8 +344,8 @@ void expect_slices(const WeightedPoints& points, double alpha2) {
       larger.radius *= 1 + 1e-9;
       const auto [least, most] = std::minmax({area(smaller), area(shared), area(larger)});
       const double rounding = 1e-9 * std::pow(largest, D - 2);
-      EXPECT_GE(contact.exposed, least - rounding) << rows[i] << ' ' << rows[j];
-      EXPECT_LE(contact.exposed, most + rounding) << rows[i] << ' ' << rows[j];
+      EXPECT_GE(contact.exposed_length, least - rounding) << rows[i] << ' ' << rows[j];
+      EXPECT_LE(contact.exposed_length, most + rounding) << rows[i] << ' ' << rows[j];
     }
   }
   double volume = 0.0, area = 0.0;
@@ -426,7 +426,7 @@ TEST(UnionOfBalls, OfASiteInTheMiddleOfALatticeIsItsCell) {
   int sides = 0;
   for (const Contact& contact : lattice.contacts) {
     if (contact.rows[0] != SiteId(13) && contact.rows[1] != SiteId(13)) continue;
-    EXPECT_EQ(contact.exposed, 0.0);
+    EXPECT_EQ(contact.exposed_length, 0.0);
     if (contact.area < 0.5) continue;
     EXPECT_NEAR(contact.area, 1.0, 1e-14);
     ++sides;
@@ -469,7 +469,7 @@ TEST(UnionOfBalls, OfExtremeNumbersIsNeverNaN) {
         for (const double one : found.areas) EXPECT_GE(one, 0.0);
         for (const Contact& contact : found.contacts) {
           EXPECT_GE(contact.area, 0.0);
-          EXPECT_GE(contact.exposed, 0.0);
+          EXPECT_GE(contact.exposed_length, 0.0);
         }
         for (const auto* list :
              {&found.derivatives.area_by_radius, &found.derivatives.volume_by_centre,

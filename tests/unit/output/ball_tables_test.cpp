@@ -97,7 +97,7 @@ TEST(ResidueTable, SumsInTheOrderOfFirstAppearance) {
 TEST(ContactTable, HasALineForEveryPair) {
   EXPECT_EQ(
       written([](ByteSink& s) { write_contacts(s, TableFormat::csv, balls().contacts, labels()); }),
-      "row_1,chain_1,residue_1,atom_1,row_2,chain_2,residue_2,atom_2,area,exposed\n"
+      "row_1,chain_1,residue_1,atom_1,row_2,chain_2,residue_2,atom_2,area,exposed_length\n"
       "0,A,ALA 12,CA,2,A,ALA 12,CB,0.75,1.25\n"
       "1,\"B,1\",GLY 7A,\"H5\"\"\",2,A,ALA 12,CB,3,0\n");
 }
@@ -106,7 +106,7 @@ TEST(ContactTable, LeavesNamesOfPlainPointsEmpty) {
   EXPECT_EQ(written([](ByteSink& s) {
               write_contacts(s, TableFormat::csv, std::vector{balls().contacts[0]}, {});
             }),
-            "row_1,chain_1,residue_1,atom_1,row_2,chain_2,residue_2,atom_2,area,exposed\n"
+            "row_1,chain_1,residue_1,atom_1,row_2,chain_2,residue_2,atom_2,area,exposed_length\n"
             "0,,,,2,,,,0.75,1.25\n");
 }
 

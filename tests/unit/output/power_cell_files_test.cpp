@@ -40,7 +40,7 @@ TEST(PowerCellTable, HasALineForEveryRow) {
   const auto cells = planar_cells();
   EXPECT_EQ(
       written([&](ByteSink& s) { write_power_cells<2>(s, TableFormat::csv, cells, 4, labels); }),
-      "row,chain,residue,atom,element,volume,area,exposed,facets,is_clipped\n"
+      "row,chain,residue,atom,element,volume,area,exposed_area,facets,is_clipped\n"
       "0,,,,C,0,0,0,0,0\n"
       "1,,,,N,1,4,3,1,1\n"
       "2,,,,O,null,0,0,1,0\n"
@@ -84,7 +84,7 @@ TEST(PowerCellVtu, HoldsPolyhedraWithTheirNumbers) {
   EXPECT_EQ(numbers<std::uint32_t>(vtu, "row"), (std::vector<std::uint32_t>{0, 1}));
   EXPECT_EQ(numbers<double>(vtu, "volume"), (std::vector<double>{8, 8}));
   EXPECT_EQ(numbers<double>(vtu, "area"), (std::vector<double>{24, 24}));
-  EXPECT_EQ(numbers<double>(vtu, "exposed"), (std::vector<double>{20, 20}));
+  EXPECT_EQ(numbers<double>(vtu, "exposed_area"), (std::vector<double>{20, 20}));
   EXPECT_EQ(numbers<std::uint32_t>(vtu, "facets"), (std::vector<std::uint32_t>{1, 1}));
   EXPECT_EQ(data_array(vtu, "is_clipped"), std::string(2, 1));
   // Each cell: the number of its faces, and of every face the number of its corners and these.

@@ -61,7 +61,7 @@ TEST(PowerCells, OfAGridAreCubes) {
     EXPECT_NEAR(cell.area, 6.0, 1e-14);
     EXPECT_EQ(cell.facets.size(), 6U);
     EXPECT_EQ(cell.corners.size(), 8U);
-    EXPECT_NEAR(cell.exposed, 6.0 - static_cast<double>(neighbours(cell).size()), 1e-14);
+    EXPECT_NEAR(cell.exposed_area, 6.0 - static_cast<double>(neighbours(cell).size()), 1e-14);
     EXPECT_EQ(cell.is_clipped, cell.facet_count < 6);
   }
   EXPECT_EQ(neighbours(cells[21]), (std::set<std::uint32_t>{5, 17, 20, 22, 25, 37}));
@@ -112,7 +112,7 @@ TEST(PowerCells, AreHalvesOfTheBoxForTwoBalls) {
   EXPECT_NEAR(cells[0].volume, 700.0, 1e-12);
   EXPECT_NEAR(cells[1].volume, 300.0, 1e-12);
   EXPECT_NEAR(cells[0].area, 480.0, 1e-12);
-  EXPECT_NEAR(cells[0].exposed, 380.0, 1e-12);
+  EXPECT_NEAR(cells[0].exposed_area, 380.0, 1e-12);
   for (const PowerCell<3>& cell : cells) {
     EXPECT_TRUE(cell.is_clipped);
     EXPECT_EQ(cell.facets.size(), 6U);
@@ -151,7 +151,7 @@ TEST(PowerCells, OfOneSiteIsTheBox) {
   const auto cells = cells_of(filtration_of<3>({1, 2, 3}), box<3>(-5, 5));
   ASSERT_EQ(cells.size(), 1U);
   EXPECT_EQ(cells[0].volume, 1000.0);
-  EXPECT_EQ(cells[0].exposed, 600.0);
+  EXPECT_EQ(cells[0].exposed_area, 600.0);
   EXPECT_EQ(cells[0].facet_count, 0U);
   EXPECT_TRUE(cells_of(filtration_of<3>({}), box<3>(0, 1)).empty());
 }
@@ -245,7 +245,7 @@ TEST(PowerCellsInBalls, HaveTheNumbersOfTheUnion) {
   const double contact = 0.75 * std::numbers::pi;
   for (std::size_t row = 0; row < 2; ++row) {
     EXPECT_EQ(cells[row].volume, balls.volumes[row]);
-    EXPECT_EQ(cells[row].exposed, balls.areas[row]);
+    EXPECT_EQ(cells[row].exposed_area, balls.areas[row]);
     EXPECT_DOUBLE_EQ(cells[row].area, balls.areas[row] + contact);
     EXPECT_EQ(neighbours(cells[row]), (std::set{1 - static_cast<std::uint32_t>(row)}));
     EXPECT_TRUE(cells[row].is_clipped);
