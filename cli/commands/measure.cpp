@@ -167,17 +167,18 @@ Measured<D> measure(const MeasureOptions& options, const Loaded& input,
   return measured;
 }
 
-// The molecular volume is a difference of volumes of balls as large as the probe.
+// Molecular volume and area are differences of those of balls as large as the probe.
 template <int D>
 void warn_of_rounding(const InputOptions& reads, const Measured<D>& measured) {
   constexpr double kFewDigits = 1e-8;
   const auto& surface = measured.molecular_surface;
   if (!surface || !std::isfinite(measured.balls.volume)) return;
-  const double error = 0x1p-51 * measured.balls.volume;
-  if (!(error > kFewDigits * surface->volume)) return;
+  const double of_volume = 0x1p-51 * measured.balls.volume;
+  const double of_area = 0x1p-51 * measured.balls.area;
+  if (!(of_volume > kFewDigits * surface->volume || of_area > kFewDigits * surface->area)) return;
   say(reads, fmt::format("warning: beside a probe this large the atoms are tiny; rounding changes "
-                         "the molecular volume by up to {:.1g}",
-                         error));
+                         "the molecular volume by up to {:.1g}, the area by up to {:.1g}",
+                         of_volume, of_area));
 }
 
 void run(const MeasureOptions& options) {
@@ -286,7 +287,7 @@ void add_measure_command(CLI::App& app) {
       "y, z, radius of the largest ball inside. --derivatives: row, chain, residue, atom,\n"
       "area_by_radius, volume_by_radius, volume_by_x.., area_by_x...\n"
       "--pdb: a row an ATOM record, in the order of the input; rows without names are X of UNK 1.\n"
-      "--mesh: triangles that bound the cells of every void, in the plane edges, with the "
+      "--mesh: triangles between the cells of every void and others, in the plane edges, with the "
       "property\n"
       "void (from 1). --script: opens INPUT and shows the space of every void as spheres, and the\n"
       "atoms around it as a selection void_N_atoms. With a probe that is the space for its "

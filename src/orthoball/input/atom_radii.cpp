@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -143,6 +145,10 @@ AtomRadii::AtomRadii(const std::string& set, bool limited) : name_(set) {
     add(kAlvarez, kAlvarezSource);
     main_source_ = kAlvarezSource;
   } else {
+    if (std::error_code error; !std::filesystem::exists(set, error)) {
+      throw ParseError(
+          set, 0, "neither a set of radii nor a file; sets are bondi, alvarez, protor and none");
+    }
     read_file(set, limited);
     main_source_ = "radius file";
   }

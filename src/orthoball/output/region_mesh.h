@@ -17,8 +17,9 @@
 namespace orthoball {
 
 /// Where sets of cells outside a complex end, voids or pockets: the facets that one of their cells
-/// has and no other cell of the same set. Regions have no vertices in common, so each is a
-/// connected set of its own. In the plane facets are edges.
+/// has and no other cell of the same set; sheets of the complex inside a region are left out.
+/// Regions have no vertices in common, so each is a connected set of its own. In the plane facets
+/// are edges.
 ///
 /// Triangles turn counterclockwise seen from outside the region; edges have it on their left.
 template <int D>

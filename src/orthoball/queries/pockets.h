@@ -38,9 +38,10 @@ struct Pocket {
 /// outside the complex, are the pockets.
 ///
 /// Which cells and mouths are whose is exact. Volumes and areas of pockets with mouths include
-/// parts of balls that reach through a mouth: usually below 3 %; areas of single balls, and volumes
-/// of tiny pockets, may even be below 0. Largest volume first; equal ones by the lowest row. Time
-/// grows little faster than the number of simplices.
+/// parts of balls that reach through a mouth: usually below 3 %, but much of a pocket whose depth
+/// is near 0; then volume and area, and areas of single balls in any pocket, may be below 0.
+/// Largest volume first; equal ones by the lowest row. Time grows little faster than the number of
+/// simplices.
 /// @param alpha2  length^2, as for union_of_balls.
 /// @throws InputError for an index beyond the spectrum's size.
 /// @cite edelsbrunner_facello_liang_1998

@@ -20,7 +20,7 @@
 
 #include "orthoball/measures/cell_gap.h"
 #include "orthoball/measures/compensated_sum.h"
-#include "orthoball/queries/inscribed_ball.h"
+#include "orthoball/queries/largest_ball.h"
 #include "orthoball/radix_sort.h"
 #include "orthoball/raw_vector.h"
 #include "orthoball/topology/union_find.h"
@@ -174,23 +174,16 @@ FreePart VoidMeasures<D>::polyhedron(std::span<const SimplexId> cells) const {
 
 template <int D>
 void VoidMeasures<D>::find_largest_ball(Void<D>& result) const {
-  const std::vector<Sphere<D>> balls = free_.lining(result.cells);
-  if (balls.size() <= D) return;
-  // From the cells with the largest orthoballs.
-  constexpr std::size_t kMostStarts = 64;
-  std::vector<SimplexId> starts = result.cells;
-  const std::size_t size = std::min(kMostStarts, starts.size());
-  std::partial_sort(starts.begin(), starts.begin() + static_cast<std::ptrdiff_t>(size),
-                    starts.end(), [&](SimplexId a, SimplexId b) {
-                      return std::pair(filtration_.enters(b), a) <
-                             std::pair(filtration_.enters(a), b);
-                    });
-  starts.resize(size);
-  InscribedBall<D> largest{{}, -1.0};
-  for (const SimplexId cell : starts) {
-    const InscribedBall<D> found = inscribed_ball<D>(free_.orthocentre(cell), balls);
-    if (found.radius > largest.radius) largest = found;
+  std::vector<VoidCell<D>> cells;
+  cells.reserve(result.cells.size());
+  for (const SimplexId cell : result.cells) {
+    cells.push_back({free_.corners(cell), free_.orthocentre(cell)});
+    const auto vertices = filtration_.vertices(cell);
+    for (std::size_t i = 0; i <= D; ++i) {
+      if (!free_.is_in(SimplexId(vertices[i].row()))) cells.back().corners[i].radius = 0.0;
+    }
   }
+  const InscribedBall<D> largest = largest_ball<D>(cells, free_.lining(result.cells));
   if (largest.radius < 0.0) return;
   const InputUnits lengths = free_.units(1);
   result.largest_ball_radius = lengths({largest.radius, 0.0});

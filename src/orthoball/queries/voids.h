@@ -28,9 +28,10 @@ struct Void {
   std::vector<SimplexId> cells;      ///< of the triangulation, outside the complex; ascending
   std::uint32_t born = 0, dies = 0;  ///< indices of the spectrum
   double born_alpha2 = 0.0, dies_alpha2 = 0.0;  ///< their labels; length^2
-  /// The largest ball that was found inside, touching D + 1 of the lining balls, by a local search
-  /// from the 64 cells with the largest orthoballs. Radius 0 where none was found, and in voids of
-  /// an alpha shape: what bounds a ball there are facets and edges, too.
+  /// The largest ball inside: exact but for rounding where the lining balls are equal; otherwise
+  /// hardly any void has one that is larger by more than 1 % (see largest_ball.h). Radius 0
+  /// where none was found, and in voids of an alpha shape: what bounds a ball there are facets and
+  /// edges, too.
   std::array<double, std::size_t{D}> largest_ball_centre{};
   double largest_ball_radius = 0.0;  ///< length
 };
