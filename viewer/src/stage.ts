@@ -18,7 +18,7 @@ import { componentsAt, distancesAt } from './connections';
 import { bondsOf, traceOf } from './molecule';
 import { changesWithIndex, colouringOf, type Colouring, type Rgb } from './palette';
 import { pickBall, pickEdge, pickTriangle, type Hit } from './picking';
-import { Scene, type FrameReport } from './scene';
+import { Scene, type FrameReport } from './scene/scene';
 import { ShapeModel } from './shape_model';
 import { isShown, type Picked, type State } from './state';
 import { kNone, type Snapshot } from './types';

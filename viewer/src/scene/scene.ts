@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Draws a ShapeModel. The only file that knows three.js, which keeps the WebGL state, sends what has
-// changed of buffers and textures, and brings all back after a lost context.
+// Draws a ShapeModel with three.js, which keeps the WebGL state, sends what has changed of buffers and
+// textures, and brings all back after a lost context.
 
 import * as three from 'three';
 
@@ -13,16 +13,20 @@ import {
   viewMatrix,
   type Camera,
   type Vector,
-} from './camera';
-import { kQuad, kTriangle, SimplexList } from './complex_mesh';
-import { dimensionApart, isVisible, keepsColour, lineColours, plainColour } from './layers';
+} from '../camera';
+import { kQuad, kTriangle, SimplexList } from '../complex_mesh';
+import { dimensionApart, isVisible, keepsColour, lineColours, plainColour } from '../layers';
 import {
   kDimensionColours,
   kPickedColour,
   kRoleColours,
   type Colouring,
   type Rgb,
-} from './palette';
+} from '../palette';
+import type { ShapeModel } from '../shape_model';
+import { isShown, type State } from '../state';
+import { kNone } from '../types';
+import { Drawable, quads, type Uniforms } from './drawable';
 import {
   kBallFragment,
   kBallVertex,
@@ -33,17 +37,10 @@ import {
   kTriangleFragment,
   kTriangleVertex,
 } from './shaders';
-import type { ShapeModel } from './shape_model';
-import { isShown, type State } from './state';
-import { kNone } from './types';
-
-const kTexelsAcross = 2048;
+import { Tables, type Table } from './textures';
 
 /** WebGL 2 is not there. */
 export class NoWebGl extends Error {}
-
-/** There is more than the graphics processor takes. */
-export class TooLarge extends Error {}
 
 /** What the last frame cost, and what was in it. */
 export interface FrameReport {
@@ -56,90 +53,8 @@ export interface FrameReport {
   drawn: Record<string, number>;
 }
 
-type Uniforms = Record<string, three.IUniform>;
-type Data = Float32Array | Uint32Array | Uint8Array;
-
-/** A texture of `count` texels of four numbers each. */
-function tableTexture(data: Data, count: number): three.DataTexture {
-  const height = Math.max(1, Math.ceil(count / kTexelsAcross));
-  const all = new (data.constructor as new (length: number) => Data)(4 * kTexelsAcross * height);
-  all.set(data);
-  const isWhole = data instanceof Uint32Array;
-  const isBytes = data instanceof Uint8Array;
-  const texture = new three.DataTexture(
-    all as unknown as BufferSource & Data as never,
-    kTexelsAcross,
-    height,
-    isWhole ? three.RGBAIntegerFormat : three.RGBAFormat,
-    isWhole ? three.UnsignedIntType : isBytes ? three.UnsignedByteType : three.FloatType,
-  );
-  if (isWhole) texture.internalFormat = 'RGBA32UI';
-  texture.needsUpdate = true;
-  return texture;
-}
-
-function cornersTexture(corners: Uint32Array, width: number, count: number): three.DataTexture {
-  const table = new Uint32Array(4 * count);
-  for (let i = 0; i < count; ++i)
-    for (let c = 0; c < width; ++c) table[4 * i + c] = corners[width * i + c];
-  return tableTexture(table, count);
-}
-
 function unit(colour: Rgb): three.Vector3 {
   return new three.Vector3(...colour.map((c) => c / 255));
-}
-
-/** Something drawn from one index buffer. */
-class Drawable {
-  readonly object: three.Mesh | three.LineSegments;
-  readonly uniforms: Uniforms;
-  private readonly index: three.BufferAttribute;
-
-  constructor(
-    elements: Uint32Array,
-    readonly material: three.RawShaderMaterial,
-    isLines = false,
-  ) {
-    const geometry = new three.BufferGeometry();
-    this.index = new three.BufferAttribute(elements, 1).setUsage(three.DynamicDrawUsage);
-    geometry.setIndex(this.index);
-    geometry.setDrawRange(0, isLines ? Infinity : 0);
-    this.object = isLines
-      ? new three.LineSegments(geometry, material)
-      : new three.Mesh(geometry, material);
-    this.object.frustumCulled = false;
-    this.uniforms = material.uniforms;
-  }
-
-  /** Takes over what has changed in a list. Returns how many bytes will be sent. */
-  update(list: SimplexList): number {
-    let bytes = 0;
-    for (const { start, count } of list.takeChanges()) {
-      this.index.addUpdateRange(start, count);
-      bytes += 4 * count;
-    }
-    if (bytes > 0) this.index.needsUpdate = true;
-    this.show(list.size * list.pattern.offsets.length);
-    return bytes;
-  }
-
-  show(elements: number): void {
-    this.object.geometry.setDrawRange(0, elements);
-  }
-
-  dispose(): void {
-    this.object.geometry.dispose();
-    this.material.dispose();
-  }
-}
-
-/** Elements of quads for points or edges 0..count - 1. */
-function quads(count: number): Uint32Array<ArrayBuffer> {
-  const elements = new Uint32Array(6 * count);
-  for (let i = 0; i < count; ++i) {
-    for (let c = 0; c < 6; ++c) elements[6 * i + c] = 4 * i + kQuad.offsets[c];
-  }
-  return elements;
 }
 
 /** A layer that follows a list of the model. */
@@ -155,16 +70,17 @@ export class Scene {
   private readonly eye = new three.Camera();
   private readonly isPlanar: boolean;
   private readonly shared: Uniforms;
-  private readonly pointTexture: three.DataTexture;
-  private readonly offsetTexture: three.DataTexture;
-  private readonly colourTexture: three.DataTexture;
-  private readonly cornerTextures: (three.DataTexture | null)[];
-  private readonly facetColours: three.DataTexture;
+  private readonly tables: Tables;
+  private readonly points: Table;
+  private readonly offsets: Table;
+  private readonly colours: Table;
+  private readonly facetColours: Table;
+  /** [dimension]: made when they are first drawn. */
+  private readonly corners: (Table | undefined)[] = [];
   private readonly lists: ListLayer[] = [];
   /** [dimension]: the simplex that was picked, if any. */
   private readonly picked = [kQuad, kQuad, kTriangle].map((pattern) => new SimplexList(pattern, 1));
   private readonly layers: Partial<Record<string, Drawable>> = {};
-  private readonly tables: three.Texture[] = [];
   /** Of the middle of the view to the right, in half widths. */
   shift = 0;
   private bytes = 0;
@@ -187,12 +103,12 @@ export class Scene {
     this.renderer.info.autoReset = true;
     const { snapshot, points, pointCount } = model;
     this.isPlanar = snapshot.facts.dimension === 2;
-    this.pointTexture = this.table(tableTexture(points, pointCount));
-    this.offsetTexture = this.table(tableTexture(new Float32Array(4 * pointCount), pointCount));
-    this.colourTexture = this.table(tableTexture(new Uint8Array(4 * pointCount), pointCount));
-    this.cornerTextures = snapshot.simplices.map(() => null);
+    this.tables = new Tables(this.renderer.capabilities.maxTextureSize);
+    this.points = this.tables.add(points, pointCount);
+    this.offsets = this.tables.add(new Float32Array(4 * pointCount), pointCount);
+    this.colours = this.tables.add(new Uint8Array(4 * pointCount), pointCount);
     const facets = snapshot.facetOwners.length;
-    this.facetColours = this.table(tableTexture(new Uint8Array(4 * facets), facets));
+    this.facetColours = this.tables.add(new Uint8Array(4 * facets), facets);
     const matrix = () => ({ value: new three.Matrix4() });
     this.shared = {
       view: matrix(),
@@ -201,9 +117,9 @@ export class Scene {
       viewport: { value: new three.Vector2(1, 1) },
       explosion: { value: 0 },
       explodesParts: { value: true },
-      points: { value: this.pointTexture },
-      offsets: { value: this.offsetTexture },
-      colours: { value: this.colourTexture },
+      points: { value: this.points },
+      offsets: { value: this.offsets },
+      colours: { value: this.colours },
       ownColours: { value: this.facetColours },
       wave: { value: -1 },
       fog: { value: new three.Vector3(1, 1, 1) },
@@ -216,25 +132,10 @@ export class Scene {
     this.addPicked();
   }
 
-  private table(texture: three.DataTexture): three.DataTexture {
-    const most = this.renderer.capabilities.maxTextureSize;
-    if (texture.image.height > most) {
-      const [count, limit] = [texture.image.height, most].map((rows) =>
-        (rows * kTexelsAcross).toLocaleString('en'),
-      );
-      throw new TooLarge(
-        `a table of it has ${count} entries, and this graphics processor takes ${limit} at most`,
-      );
-    }
-    this.tables.push(texture);
-    this.bytes += (texture.image.data as unknown as ArrayBufferView).byteLength;
-    return texture;
-  }
-
-  private corners(dimension: number): three.DataTexture {
-    const { corners, count } = this.model.snapshot.simplices[dimension];
-    return (this.cornerTextures[dimension] ??= this.table(
-      cornersTexture(corners, dimension + 1, count),
+  private cornersOf(dimension: number): Table {
+    return (this.corners[dimension] ??= this.tables.addCorners(
+      this.model.snapshot.simplices[dimension].corners,
+      dimension + 1,
     ));
   }
 
@@ -282,7 +183,7 @@ export class Scene {
     isSolid = false,
   ): Drawable {
     const material = this.material(kTriangleVertex, kTriangleFragment, {
-      corners: { value: this.corners(isSolid ? 3 : 2) },
+      corners: { value: this.cornersOf(isSolid ? 3 : 2) },
       colour: { value: unit(colour) },
       isSolid: { value: isSolid },
       hasInside: { value: hasInside },
@@ -296,8 +197,8 @@ export class Scene {
     return new Drawable(
       elements,
       this.material(kEdgeVertex, kEdgeFragment, {
-        corners: { value: this.corners(1) },
-        ends: { value: this.pointTexture },
+        corners: { value: this.cornersOf(1) },
+        ends: { value: this.points },
         hasEnds: { value: false },
         colour: { value: unit(colour) },
         radius: { value: 0 },
@@ -320,7 +221,7 @@ export class Scene {
   // Pairs of vertices as sticks.
   private sticks(pairs: Uint32Array, colour: Rgb, radius: number): Drawable {
     const sticks = this.edges(quads(pairs.length / 2), colour, {
-      corners: { value: this.table(cornersTexture(pairs, 2, pairs.length / 2)) },
+      corners: { value: this.tables.addCorners(pairs, 2) },
       radius: { value: 2 * radius * this.model.scale },
       pixels: { value: 1.5 },
     });
@@ -418,7 +319,7 @@ export class Scene {
     const ends = this.model.powerEdges();
     const count = this.model.snapshot.simplices[1].count;
     const cells = this.edges(quads(count), [255, 255, 255], {
-      ends: { value: this.table(tableTexture(ends, 2 * count)) },
+      ends: { value: this.tables.add(ends, 2 * count) },
       hasEnds: { value: true },
       pixels: { value: 1.6 },
     });
@@ -450,22 +351,12 @@ export class Scene {
 
   setColouring(colouring: Colouring, state: State): void {
     const { vertices, facets } = colouring;
-    const fill = (texture: three.DataTexture, count: number, colourOf: (i: number) => Rgb) => {
-      const data = texture.image.data as unknown as Uint8Array;
-      for (let i = 0; i < count; ++i) {
-        const [r, g, b] = colourOf(i);
-        data[4 * i] = r;
-        data[4 * i + 1] = g;
-        data[4 * i + 2] = b;
-      }
-      texture.needsUpdate = true;
-      this.bytes += data.byteLength;
-    };
-    const vertexCount = this.model.snapshot.simplices[0].count;
+    const { pointCount, snapshot } = this.model;
+    const vertexCount = snapshot.simplices[0].count;
     if (vertices)
-      fill(this.colourTexture, this.model.pointCount, (p) => vertices(p < vertexCount ? p : kNone));
+      this.tables.recolour(this.colours, pointCount, (p) => vertices(p < vertexCount ? p : kNone));
     if (facets && !this.isPlanar)
-      fill(this.facetColours, this.model.snapshot.facetOwners.length, facets);
+      this.tables.recolour(this.facetColours, snapshot.facetOwners.length, facets);
     for (const [name, drawable] of Object.entries(this.layers)) {
       if (!drawable) continue;
       const isTriangle = name === 'regular' || name === 'singular_triangles';
@@ -479,10 +370,7 @@ export class Scene {
 
   /** [point]: where its component goes, x, y, z, and its way from the wave's source. */
   setOffsets(offsets: Float32Array): void {
-    const data = this.offsetTexture.image.data as unknown as Float32Array;
-    data.set(offsets);
-    this.offsetTexture.needsUpdate = true;
-    this.bytes += data.byteLength;
+    this.tables.replace(this.offsets, offsets);
   }
 
   /** The plane that clips, scene: what has dot(xyz, p) + w > 0 is not seen. */
@@ -588,10 +476,9 @@ export class Scene {
     const drawn: Record<string, number> = {};
     for (const { name, list, drawable } of this.lists) {
       const perSimplex = list.pattern.offsets.length;
-      const elements = drawable.object.geometry.drawRange.count;
-      if (drawable.object.visible) drawn[name] = elements / perSimplex;
+      if (drawable.object.visible) drawn[name] = drawable.shown / perSimplex;
     }
-    const bytes = this.bytes;
+    const bytes = this.bytes + this.tables.takeBytes();
     this.bytes = 0;
     return {
       bytes,
@@ -603,7 +490,7 @@ export class Scene {
 
   dispose(): void {
     for (const drawable of Object.values(this.layers)) drawable?.dispose();
-    for (const texture of this.tables) texture.dispose();
+    this.tables.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
   }
