@@ -23,6 +23,7 @@ const kWords = {
   background: ['plain', 'white', 'black'],
   plotAxis: ['alpha', 'alpha2', 'index'],
   plotScale: ['linear', 'log'],
+  valueScale: ['linear', 'log'],
   colour: kColours,
   explodedPart: kExplodedParts,
 } as const satisfies Partial<Record<keyof State, readonly string[]>>;
@@ -105,7 +106,11 @@ export function stateFromLink(
   const panels = parts.get('panels');
   if (panels) state = { ...state, panels: panels.split(' ').slice(0, 5) };
   const [dimension, simplex] = (parts.get('picked') ?? '').split(' ').map(Number);
-  if (Number.isInteger(simplex) && snapshot.simplices[dimension]?.count > simplex && simplex >= 0) {
+  const count =
+    dimension === 0
+      ? snapshot.vertexRows.length + snapshot.hidden.length
+      : snapshot.simplices[dimension]?.count;
+  if (Number.isInteger(simplex) && simplex >= 0 && simplex < count) {
     state = { ...state, picked: { dimension, simplex } };
   }
   return { state, camera: cameraOf(parts.get('camera')) };

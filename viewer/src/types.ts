@@ -158,3 +158,25 @@ export function roleAt(simplices: Simplices, simplex: number, index: number): Ro
   if (index < simplices.regular[simplex]) return 'singular';
   return index < simplices.interior[simplex] ? 'regular' : 'interior';
 }
+
+/**
+ * The rows of a simplex, ascending. Numbers of vertices go on with those of hidden sites, which are
+ * in no simplex but have rows as well.
+ */
+export function rowsOf(
+  snapshot: Snapshot,
+  { dimension, simplex }: { dimension: number; simplex: number },
+): number[] {
+  const { count, corners } = snapshot.simplices[dimension];
+  if (simplex >= count) return [snapshot.hidden[simplex - count]];
+  const vertices = corners.subarray((dimension + 1) * simplex, (dimension + 1) * (simplex + 1));
+  return [...vertices].map((v) => snapshot.vertexRows[v]).sort((a, b) => a - b);
+}
+
+/** Other rows that are equal to one that stands for them. */
+export function equalRows({ duplicates }: Snapshot, row: number): number[] {
+  const rows: number[] = [];
+  for (let i = 0; i < duplicates.length; i += 2)
+    if (duplicates[i + 1] === row) rows.push(duplicates[i]);
+  return rows;
+}
