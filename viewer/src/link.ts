@@ -50,6 +50,7 @@ export function linkText(state: State, start: State, camera: Camera | null): str
   if (layers !== [...start.layers].sort().join(' ')) parts.set('show', layers);
   if (state.panels.join(' ') !== start.panels.join(' '))
     parts.set('panels', state.panels.join(' '));
+  if (state.diagram !== start.diagram) parts.set('diagram', state.diagram ? 'shown' : 'hidden');
   if (state.picked) parts.set('picked', `${state.picked.dimension} ${state.picked.simplex}`);
   if (camera)
     parts.set(
@@ -103,6 +104,8 @@ export function stateFromLink(
     const named = layers.split(' ');
     state = { ...state, layers: kLayers.filter((layer: Layer) => named.includes(layer)) };
   }
+  const diagram = parts.get('diagram');
+  if (diagram !== null) state = { ...state, diagram: diagram === 'shown' };
   const panels = parts.get('panels');
   if (panels) state = { ...state, panels: panels.split(' ').slice(0, 5) };
   const [dimension, simplex] = (parts.get('picked') ?? '').split(' ').map(Number);

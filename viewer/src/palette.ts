@@ -101,7 +101,7 @@ function byGroups(count: number, noun: string, many: string): LegendEntry[] {
   if (count > shown)
     entries.push({
       colour: kCategories[shown],
-      text: `… of ${count.toLocaleString('en')} ${many}`,
+      text: `the other ${(count - shown).toLocaleString('en')} ${many}`,
     });
   return entries;
 }
@@ -202,14 +202,14 @@ function plain(snapshot: Snapshot, colour: Colour): LegendEntry[] {
   }
   return inSpace
     ? [
-        { colour: kRoleColours.regular, text: 'regular triangles: boundary of the solid' },
+        { colour: kRoleColours.regular, text: 'regular triangles' },
         { colour: kRoleColours.singular, text: 'singular triangles' },
         { colour: kRoleColours.edge, text: 'singular edges' },
         { colour: kRoleColours.vertex, text: 'singular vertices' },
       ]
     : [
-        { colour: kRoleColours.interior, text: 'triangles of the shape' },
-        { colour: kRoleColours.regular, text: 'regular edges: its outline' },
+        { colour: kRoleColours.interior, text: 'triangles' },
+        { colour: kRoleColours.regular, text: 'regular edges' },
         { colour: kRoleColours.edge, text: 'singular edges' },
         { colour: kRoleColours.vertex, text: 'singular vertices' },
       ];

@@ -36,10 +36,10 @@ function axisNumber(y: number): string {
 }
 
 /** 0 and a few powers of ten on either side of it that lie within a range. */
-function powers(unit: number, low: number, high: number): number[] {
+function powers(unit: number, low: number, high: number, most = 2): number[] {
   const reach = Math.max(high, -low);
   const [first, last] = [unit, reach].map((y) => Math.floor(Math.log10(y) + 1e-9));
-  const step = Math.max(1, Math.ceil((last - first) / 2));
+  const step = Math.max(1, Math.ceil((last - first) / most));
   const splits = [0];
   for (let k = last; k > first; k -= step) splits.push(10 ** k, -(10 ** k));
   return splits.filter((y) => y >= low && y <= high).sort((a, b) => a - b);
@@ -119,6 +119,7 @@ export class SignaturePlot {
             size: 24,
             gap: 2,
             space: 60,
+            ...(distr === 4 ? { splits: () => powers(asinh, ...data.range, 6) } : {}),
             values: (_, splits) => splits.map((x) => (x === null ? null : shownNumber(x, 4))),
           },
           {

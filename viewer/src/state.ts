@@ -75,6 +75,8 @@ export interface State {
   plotScale: 'linear' | 'log';
   /** Upwards. */
   valueScale: 'linear' | 'log';
+  /** Whether the persistence diagram is shown. */
+  diagram: boolean;
   /** Names of quantities. */
   panels: readonly string[];
   picked: Picked | null;
@@ -120,6 +122,7 @@ export function startState(snapshot: Snapshot): State {
     plotAxis: 'alpha',
     plotScale: 'linear',
     valueScale: 'linear',
+    diagram: true,
     panels: inSpace ? ['betti_1', 'betti_2', 'volume'] : ['betti_0', 'betti_1', 'volume'],
     picked: null,
     wave: null,
@@ -166,14 +169,23 @@ export function withLayer(state: State, layer: Layer, isShown: boolean): State {
 
 const kSeenThrough = 0.3; // opacity
 
-/** Coloured in another way. Voids lie within the shape: it is seen through while they are looked at. */
+/**
+ * Coloured in another way. Voids in space lie within the shape, which is seen instead of balls and
+ * through while they are looked at.
+ */
 export function colouredBy(state: State, colour: Colour, inSpace: boolean): State {
   const next = { ...state, colour };
   if (!inSpace) return next;
-  if (colour === 'void' && state.opacity === 1) return { ...next, opacity: kSeenThrough };
-  const wasForVoids =
-    state.colour === 'void' && colour !== 'void' && state.opacity === kSeenThrough;
-  return wasForVoids ? { ...next, opacity: 1 } : next;
+  if (colour !== 'void') {
+    const wasForVoids = state.colour === 'void' && state.opacity === kSeenThrough;
+    return wasForVoids ? { ...next, opacity: 1 } : next;
+  }
+  const surface: Layer[] = ['regular', 'singular_triangles'];
+  return {
+    ...next,
+    opacity: state.opacity === 1 ? kSeenThrough : state.opacity,
+    layers: [...new Set([...state.layers, ...surface])].filter((layer) => layer !== 'balls'),
+  };
 }
 
 export function isShown(state: State, layer: Layer): boolean {

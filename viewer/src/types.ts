@@ -37,6 +37,9 @@ export const kArrays = {
   area_singular: ['f64', 'f32'],
   area_regular: ['f64', 'f32'],
   length: ['f64', 'f32'],
+  persistence_0: ['u32'],
+  persistence_1: ['u32'],
+  persistence_2: ['u32'],
   line: ['u32'],
   element: ['u32'],
   atom: ['u32'],
@@ -77,6 +80,9 @@ export interface Facts {
   triangles: number;
   tetrahedra?: number;
   spectrum_size: number;
+  pairs_0: number;
+  pairs_1: number;
+  pairs_2?: number;
   notable: Notable[];
   dictionaries: Partial<Record<LabelName, string[]>>;
 }
@@ -145,6 +151,11 @@ export interface Snapshot {
   areaRegular: Float64Array | Float32Array;
   /** [index - 1]; empty in the plane. */
   length: Float64Array | Float32Array;
+  /**
+   * [dimension][2 * pair]: the simplex of that dimension that begins a class of cycles, and the one of
+   * the next that ends it, kNone for never. Classes that live at one index at least.
+   */
+  persistence: Uint32Array[];
   /** [row]: line of the input; empty where it has none. */
   line: Uint32Array;
   labels: Partial<Record<LabelName, Labels>>;

@@ -58,7 +58,7 @@ export function dataOf(page: string): string {
 /** The snapshot that the program makes of an input. */
 export async function snapshotOf(input: string, ...args: string[]): Promise<Snapshot> {
   const page = orthoball('view', input, '-o', '-', ...args).toString();
-  return readSnapshot(await gunzipped(bytesFromBase64(dataOf(page))));
+  return readSnapshot(await gunzipped(bytesFromBase64([dataOf(page)])));
 }
 
 /** A row of `orthoball signatures --json`, by the names that the columns of the CSV have. */

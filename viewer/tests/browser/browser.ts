@@ -163,3 +163,31 @@ export async function pixelsAround(
     { png: shot.toString('base64'), size: side },
   );
 }
+
+/** How much two pictures differ: the mean of their numbers' differences, as a share of the largest. */
+export function difference(page: Page, one: string, other: string): Promise<number> {
+  return page.evaluate(
+    async (pngs) => {
+      let context: CanvasRenderingContext2D | null = null;
+      let [width, height] = [1, 1];
+      for (const png of pngs) {
+        const image = new Image();
+        image.src = `data:image/png;base64,${png}`;
+        await image.decode();
+        if (!context) {
+          const canvas = document.createElement('canvas');
+          [width, height] = [canvas.width, canvas.height] = [image.width, image.height];
+          context = canvas.getContext('2d')!;
+        } else {
+          context.globalCompositeOperation = 'difference';
+        }
+        context.drawImage(image, 0, 0);
+      }
+      let sum = 0;
+      const { data } = context!.getImageData(0, 0, width, height);
+      data.forEach((x, i) => (sum += i % 4 < 3 ? x : 0));
+      return sum / (3 * 255 * width * height);
+    },
+    [one, other],
+  );
+}

@@ -29,6 +29,16 @@ describe('trouble', () => {
     await opened.context().close();
   });
 
+  it('is none where the data come in several elements, as large ones do', async () => {
+    const text = page();
+    const data = dataOf(text);
+    const between = '</script>\n<script type="application/gzip">';
+    const parts = data.match(/.{1,40000}/g)!.join(between);
+    const opened = await viewer.openText(text.replace(data, () => parts));
+    expect(await opened.getAttribute('#viewer', 'data-error')).toBeNull();
+    await opened.context().close();
+  });
+
   it('of a lost graphics context is waited for, and what was shown comes back', async () => {
     const opened = await viewer.open(kSamples.molecule, { hash: '#colour=element' });
     const before = await picture(opened);
