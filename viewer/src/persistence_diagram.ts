@@ -44,15 +44,17 @@ function mark(
 
 const kShortest = 0.5; // CSS pixels; shorter lives are not told apart from nothing
 const kInset = 4; // that marks at the ends are whole
+const kMark = 2.4;
+const kFaint = 0.35; // not alive
 const kLine = 1.5; // half of a mark on the quadrant's edge is seen
 const kMarksAtOnce = 200; // long paths take much longer than many
 const kReach = 8; // of the mouse
 
 export class PersistenceDiagram {
   private readonly context: CanvasRenderingContext2D;
-  /** All lives, drawn once: faintly, and as those that are alive are drawn. */
-  private readonly faint = document.createElement('canvas');
-  private readonly strong = document.createElement('canvas');
+  /** Drawn once: what lies behind, and the marks of all lives. */
+  private readonly back = document.createElement('canvas');
+  private readonly marks = document.createElement('canvas');
   private side = 0;
   private look: DiagramLook | null = null;
   /** Those long enough to be seen, and where they are, CSS pixels. */
@@ -86,12 +88,12 @@ export class PersistenceDiagram {
     this.x = Float32Array.from(this.lives, ({ birth }) => kInset + this.placeOf(birth));
     this.y = Float32Array.from(this.lives, ({ death }) => side - kInset - this.placeOf(death));
     const ratio = window.devicePixelRatio;
-    for (const canvas of [this.canvas, this.faint, this.strong]) {
+    for (const canvas of [this.canvas, this.back, this.marks]) {
       canvas.width = canvas.height = Math.round(side * ratio);
       canvas.getContext('2d')!.scale(ratio, ratio);
     }
     this.canvas.style.width = this.canvas.style.height = `${side}px`;
-    const context = this.faint.getContext('2d')!;
+    const context = this.back.getContext('2d')!;
     context.strokeStyle = look.axis;
     context.strokeRect(0.5, 0.5, side - 1, side - 1);
     context.beginPath();
@@ -104,13 +106,12 @@ export class PersistenceDiagram {
     context.textAlign = 'right';
     context.fillText('death ↑', side - 6, side - 20);
     context.fillText('birth →', side - 6, side - 7);
-    this.marks(context, 0.32, 2);
-    this.marks(this.strong.getContext('2d')!, 0.95, 2.8);
+    this.drawMarks(this.marks.getContext('2d')!);
     return this.lives.length;
   }
 
   // One mark is drawn of those that would lie on each other: there may be a million.
-  private marks(context: CanvasRenderingContext2D, opacity: number, radius: number): void {
+  private drawMarks(context: CanvasRenderingContext2D): void {
     const across = 2 * this.side;
     const isTaken = [0, 1, 2].map(() => new Uint8Array(across * across));
     const places = [0, 1, 2].map(() => [] as number[]);
@@ -120,18 +121,16 @@ export class PersistenceDiagram {
       isTaken[dimension][cell] = 1;
       places[dimension].push(i);
     });
-    context.globalAlpha = opacity;
     lifeColours(this.look!.isDark).forEach((colour, dimension) => {
       context.fillStyle = colour;
       const all = places[dimension];
       for (let first = 0; first < all.length; first += kMarksAtOnce) {
         context.beginPath();
         for (const i of all.slice(first, first + kMarksAtOnce))
-          mark(context, dimension, this.x[i], this.y[i], radius);
+          mark(context, dimension, this.x[i], this.y[i], kMark);
         context.fill();
       }
     });
-    context.globalAlpha = 1;
   }
 
   /** @param hovered  the one under the mouse. */
@@ -142,13 +141,16 @@ export class PersistenceDiagram {
     const [x, y] = [kInset + this.placeOf(index), side - kInset - this.placeOf(index)];
     context.fillStyle = look.quadrant;
     context.fillRect(0, 0, x, y);
-    context.drawImage(this.faint, 0, 0, side, side);
+    context.drawImage(this.back, 0, 0, side, side);
+    context.globalAlpha = kFaint;
+    context.drawImage(this.marks, 0, 0, side, side);
+    context.globalAlpha = 1;
     // Alive is what lies in the quadrant, whatever the number.
     context.save();
     context.beginPath();
     context.rect(0, 0, x + kLine, y + kLine);
     context.clip();
-    context.drawImage(this.strong, 0, 0, side, side);
+    context.drawImage(this.marks, 0, 0, side, side);
     context.restore();
     context.strokeStyle = look.marker;
     context.beginPath();
