@@ -29,7 +29,9 @@ extern char** environ;
 namespace {
 
 constexpr std::string_view kTitle = "%ORTHOBALL_TITLE%", kSnapshot = "%ORTHOBALL_SNAPSHOT%",
-                           kGenerator = "<meta name=\"generator\" content=\"orthoball";
+                           kGenerator = "<meta name=\"generator\" content=\"orthoball",
+                           kNextPart = "</script>\n<script type=\"application/gzip\">";
+constexpr std::size_t kPart = std::size_t{1} << 27U;  // browsers lose elements of half a gigabyte
 
 struct ViewOptions {
   InputOptions input;
@@ -108,7 +110,7 @@ void write_page(orthoball::ByteSink& sink, const Loaded& input,
   sink.text(html_text(facts.source));
   write_until(kSnapshot);
   {
-    orthoball::Base64Output text(sink);
+    orthoball::Base64Output text(sink, std::string(kNextPart), kPart);
     orthoball::ByteSink packed(text);
     orthoball::GzipOutput gzip(packed);
     orthoball::ByteSink snapshot(gzip, "null");
@@ -177,6 +179,7 @@ void run(const ViewOptions& options) {
       [&](const auto& filtration) {
         require_memory(options.input,
                        orthoball::signature_memory(filtration.size()) +
+                           orthoball::persistence_memory(filtration.size(), false) +
                            std::uint64_t{48} * filtration.spectrum_size(),
                        "the page");
       },

@@ -147,6 +147,8 @@ export function projectionMatrix(
   return matrix;
 }
 
+const kFarBefore = 100; // everything in the scene: without perspective all of it is seen
+
 /** What lies under a place of the view: x to the right and y up, -1..1. In the scene. */
 export function rayAt(
   camera: Camera,
@@ -162,9 +164,7 @@ export function rayAt(
       (axis) => e[0] * rows[0][axis] + e[1] * rows[1][axis] + e[2] * rows[2][axis],
     ) as unknown as Vector;
   const onTarget = [x * aspect * half, y * half, 0];
-  const eye = isOrthographic
-    ? [onTarget[0], onTarget[1], camera.distance]
-    : [0, 0, camera.distance];
+  const eye = isOrthographic ? [onTarget[0], onTarget[1], kFarBefore] : [0, 0, camera.distance];
   const direction = [onTarget[0] - eye[0], onTarget[1] - eye[1], -eye[2]];
   const length = Math.hypot(...direction);
   const origin = toScene(eye).map((e, axis) => e + camera.target[axis]) as unknown as Vector;

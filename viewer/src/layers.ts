@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // What is drawn, by name: which of it is seen in a state, and in what colour. Beside the layers that
-// people choose from there are the balls on the boundary and all of them, and the simplices of one
-// dimension by themselves, "apart_2", for moving apart, and the one that was picked, "picked_2".
+// people choose from there are the balls on the boundary and all of them, the voids (walls of them; in
+// the plane all of a hole), the simplices of one dimension by themselves, "apart_2", for moving apart, and
+// the one that was picked, "picked_2".
 
 import { kDimensionColours, kRoleColours, type Rgb } from './palette';
 import { isShown, kExplodedParts, type Layer, type State } from './state';
@@ -12,11 +13,21 @@ export function dimensionApart(state: State): number {
   return state.explosion > 0 ? kExplodedParts.indexOf(state.explodedPart) - 1 : -1;
 }
 
+/** How far things have moved apart: by so many times their distance from the middle. */
+export function spreadOf(state: State): number {
+  return 1.6 * state.explosion;
+}
+
 export function isVisible(name: string, state: State): boolean {
   const apart = dimensionApart(state);
   if (name.startsWith('apart_')) return name === `apart_${apart}`;
-  if (name.startsWith('picked_')) return apart < 0 && name === `picked_${state.picked?.dimension}`;
+  if (name.startsWith('picked_'))
+    return (
+      name === `picked_${state.picked?.dimension}` &&
+      (apart < 0 || apart === state.picked?.dimension)
+    );
   if (apart >= 0) return false; // simplices by themselves are seen alone
+  if (name === 'voids') return state.colour === 'void';
   const clips = state.clipAxis !== 'off'; // then balls inside are seen too
   if (name === 'singular_balls' || name === 'regular_balls') {
     return isShown(state, 'balls') && !clips;
@@ -40,6 +51,14 @@ export function plainColour(name: string, state: State, isPlanar: boolean): Rgb 
     singular_vertices: byDimension ? vertex : role.vertex,
   };
   return colours[name] ?? null;
+}
+
+/** Layers whose simplices have colours of their own where facets have. */
+export function hasOwnColours(name: string, isPlanar: boolean): boolean {
+  return (
+    ['regular', 'voids'].includes(name) ||
+    name === (isPlanar ? 'singular_edges' : 'singular_triangles')
+  );
 }
 
 /** Layers that have their colour whatever others are coloured by. */

@@ -23,6 +23,7 @@ const kWords = {
   background: ['plain', 'white', 'black'],
   plotAxis: ['alpha', 'alpha2', 'index'],
   plotScale: ['linear', 'log'],
+  valueScale: ['linear', 'log'],
   colour: kColours,
   explodedPart: kExplodedParts,
 } as const satisfies Partial<Record<keyof State, readonly string[]>>;
@@ -49,6 +50,7 @@ export function linkText(state: State, start: State, camera: Camera | null): str
   if (layers !== [...start.layers].sort().join(' ')) parts.set('show', layers);
   if (state.panels.join(' ') !== start.panels.join(' '))
     parts.set('panels', state.panels.join(' '));
+  if (state.diagram !== start.diagram) parts.set('diagram', state.diagram ? 'shown' : 'hidden');
   if (state.picked) parts.set('picked', `${state.picked.dimension} ${state.picked.simplex}`);
   if (camera)
     parts.set(
@@ -102,10 +104,16 @@ export function stateFromLink(
     const named = layers.split(' ');
     state = { ...state, layers: kLayers.filter((layer: Layer) => named.includes(layer)) };
   }
+  const diagram = parts.get('diagram');
+  if (diagram !== null) state = { ...state, diagram: diagram === 'shown' };
   const panels = parts.get('panels');
   if (panels) state = { ...state, panels: panels.split(' ').slice(0, 5) };
   const [dimension, simplex] = (parts.get('picked') ?? '').split(' ').map(Number);
-  if (Number.isInteger(simplex) && snapshot.simplices[dimension]?.count > simplex && simplex >= 0) {
+  const count =
+    dimension === 0
+      ? snapshot.vertexRows.length + snapshot.hidden.length
+      : snapshot.simplices[dimension]?.count;
+  if (Number.isInteger(simplex) && simplex >= 0 && simplex < count) {
     state = { ...state, picked: { dimension, simplex } };
   }
   return { state, camera: cameraOf(parts.get('camera')) };

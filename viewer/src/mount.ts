@@ -9,11 +9,13 @@ import { bytesFromBase64, gunzipped, readSnapshot, SnapshotError } from './snaps
 import type { Snapshot } from './types';
 
 async function pageSnapshot(): Promise<Snapshot> {
-  const text = document.getElementById('snapshot')?.textContent?.trim() ?? '';
-  if (text === '' || text.startsWith('%')) {
+  // One element does not hold more than half a gigabyte of text: there may be several.
+  const elements = document.querySelectorAll('script[type="application/gzip"]');
+  const parts = [...elements].map((element) => element.textContent.trim()).filter(Boolean);
+  if (parts.length === 0 || parts[0].startsWith('%')) {
     throw new SnapshotError('missing', 'There is no data in this page.');
   }
-  return readSnapshot(await gunzipped(bytesFromBase64(text)));
+  return readSnapshot(await gunzipped(bytesFromBase64(parts)));
 }
 
 /** What to say of something that kept the viewer from starting. */

@@ -85,8 +85,10 @@ export interface LegendEntry {
 export interface Colouring {
   /** [vertex]; null for one colour by role or dimension. */
   vertices: ((vertex: number) => Rgb) | null;
-  /** [facet]; null unless triangles (in space) have colours of their own. */
+  /** [facet]; null unless they have colours of their own. */
   facets: ((facet: number) => Rgb) | null;
+  /** Triangles that show voids, walls of them or in the plane all of a hole, and [triangle] colours. */
+  voids: { triangles: number[]; colour: (triangle: number) => Rgb } | null;
   legend: LegendEntry[];
 }
 
@@ -99,7 +101,7 @@ function byGroups(count: number, noun: string, many: string): LegendEntry[] {
   if (count > shown)
     entries.push({
       colour: kCategories[shown],
-      text: `… of ${count.toLocaleString('en')} ${many}`,
+      text: `the other ${(count - shown).toLocaleString('en')} ${many}`,
     });
   return entries;
 }
@@ -109,27 +111,35 @@ function byComponent(snapshot: Snapshot, index: number): Colouring {
   return {
     vertices: (v) => categoryColour(groups.of[v]),
     facets: null,
+    voids: null,
     legend: byGroups(groups.count, 'component', 'components'),
   };
 }
 
 function byVoid(snapshot: Snapshot, index: number): Colouring {
-  const voids = voidsAt(snapshot, index);
-  const noun = snapshot.facts.dimension === 3 ? 'void' : 'hole';
-  const facetColour = (facet: number): Rgb => {
+  const groups = voidsAt(snapshot, index);
+  const inSpace = snapshot.facts.dimension === 3;
+  const noun = inSpace ? 'void' : 'hole';
+  const beside = (facet: number): number => {
     const [owner, neighbour] = [snapshot.facetOwners[facet] >>> 2, snapshot.facetNeighbours[facet]];
-    const beside =
-      voids.of[owner] !== kNone
-        ? voids.of[owner]
-        : neighbour === kNone
-          ? kNone
-          : voids.of[neighbour];
-    return categoryColour(beside);
+    if (groups.of[owner] !== kNone || neighbour === kNone) return groups.of[owner];
+    return groups.of[neighbour];
   };
+  const facetColour = (facet: number) => categoryColour(beside(facet));
+  const facets = snapshot.simplices[snapshot.facts.dimension - 1];
+  const triangles: number[] = [];
+  if (inSpace) {
+    for (let f = 0; f < snapshot.facetOwners.length; ++f)
+      if (facets.enters[f] <= index && beside(f) !== kNone) triangles.push(f);
+  } else {
+    groups.of.forEach((group, cell) => group !== kNone && triangles.push(cell));
+  }
+  const colour = inSpace ? facetColour : (cell: number) => categoryColour(groups.of[cell]);
   return {
     vertices: () => kGrey,
     facets: snapshot.facetOwners.length > 0 ? facetColour : null,
-    legend: [...byGroups(voids.count, noun, `${noun}s`), { colour: kGrey, text: 'outside' }],
+    voids: { triangles, colour },
+    legend: [...byGroups(groups.count, noun, `${noun}s`), { colour: kGrey, text: 'outside' }],
   };
 }
 
@@ -139,6 +149,7 @@ function byElement(snapshot: Snapshot): Colouring {
   return {
     vertices: (v) => colour(labelOf(snapshot, 'element', snapshot.vertexRows[v])),
     facets: null,
+    voids: null,
     legend: words.slice(0, 10).map((word) => ({ colour: colour(word), text: word })),
   };
 }
@@ -157,6 +168,7 @@ function byResidue(snapshot: Snapshot): Colouring {
   return {
     vertices: (v) => sequenceColour(place[snapshot.vertexRows[v]] / Math.max(1, count)),
     facets: null,
+    voids: null,
     legend: [
       { colour: sequenceColour(0), text: 'first residue' },
       { colour: sequenceColour(0.5), text: 'middle' },
@@ -170,6 +182,7 @@ function byChain(snapshot: Snapshot): Colouring {
   return {
     vertices: (v) => categoryColour(labels ? labels.codes[snapshot.vertexRows[v]] : kNone),
     facets: null,
+    voids: null,
     legend: (labels?.words ?? []).slice(0, 8).map((word, i) => ({
       colour: categoryColour(i),
       text: `chain ${word}`,
@@ -189,14 +202,14 @@ function plain(snapshot: Snapshot, colour: Colour): LegendEntry[] {
   }
   return inSpace
     ? [
-        { colour: kRoleColours.regular, text: 'regular triangles: boundary of the solid' },
+        { colour: kRoleColours.regular, text: 'regular triangles' },
         { colour: kRoleColours.singular, text: 'singular triangles' },
         { colour: kRoleColours.edge, text: 'singular edges' },
         { colour: kRoleColours.vertex, text: 'singular vertices' },
       ]
     : [
-        { colour: kRoleColours.interior, text: 'triangles of the shape' },
-        { colour: kRoleColours.regular, text: 'regular edges: its outline' },
+        { colour: kRoleColours.interior, text: 'triangles' },
+        { colour: kRoleColours.regular, text: 'regular edges' },
         { colour: kRoleColours.edge, text: 'singular edges' },
         { colour: kRoleColours.vertex, text: 'singular vertices' },
       ];
@@ -230,6 +243,6 @@ export function colouringOf(snapshot: Snapshot, colour: Colour, index: number): 
     case 'chain':
       return byChain(snapshot);
     default:
-      return { vertices: null, facets: null, legend: plain(snapshot, colour) };
+      return { vertices: null, facets: null, voids: null, legend: plain(snapshot, colour) };
   }
 }

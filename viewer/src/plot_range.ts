@@ -39,3 +39,18 @@ export function usefulRange(snapshot: Snapshot, axis: PlotAxis): [number, number
   const end = Math.min(valueOf(s), to + 0.04 * (to - from));
   return end > from ? [from, end] : [from - 1, from + 1];
 }
+
+/** Where a value lies within a range, 0..1 across it; beyond it outside of that. */
+export function placeWithin(
+  [from, to]: readonly [number, number],
+  isLog: boolean,
+): (x: number) => number {
+  const size = (to - from) / 1000;
+  const scaled = !isLog
+    ? (x: number) => x
+    : from > 0
+      ? (x: number) => Math.log(Math.max(x, from / 1e6))
+      : (x: number) => Math.asinh(x / size); // nearly logarithmic on both sides of 0
+  const [low, high] = [scaled(from), scaled(to)];
+  return (x) => (high > low ? (scaled(x) - low) / (high - low) : 0.5);
+}

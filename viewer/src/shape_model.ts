@@ -31,6 +31,7 @@ export class ShapeModel {
    */
   readonly points: Float32Array<ArrayBuffer>;
   readonly pointCount: number;
+  readonly isPlanar: boolean;
   /** [dimension]: vertices, edges and triangles of the complex, as they are always drawn. */
   readonly meshes: readonly ComplexMesh[];
   private readonly extra = new Map<number, ComplexMesh>();
@@ -43,6 +44,7 @@ export class ShapeModel {
     const { facts, coordinates, weights, vertexRows, hidden, simplices } = snapshot;
     const D = facts.dimension;
     const { centre, size } = extentOf(coordinates, D);
+    this.isPlanar = D === 2;
     this.centre = centre;
     this.scale = 1 / size;
     this.pointCount = vertexRows.length + hidden.length;
@@ -62,6 +64,11 @@ export class ShapeModel {
       mesh(1, D === 2 ? ['singular', 'regular'] : ['singular']),
       mesh(2, ['singular', 'regular', 'interior']),
     ];
+  }
+
+  /** What squared radii grow by at an alpha2, scene units; finite also where that is not. */
+  grown(alpha2: number): number {
+    return Math.min(1e6, Math.max(-1e6, alpha2 * this.scale ** 2));
   }
 
   /** The input row of a point. */

@@ -21,6 +21,9 @@ export interface PlotData {
   /** [index] */
   y: ArrayLike<number>;
   isLog: boolean;
+  /** Whether values are logarithmic as well: beyond `unit`, and below it linear down to 0. */
+  areValuesLog: boolean;
+  unit: number;
   /** What is seen of x. */
   range: [number, number];
   /** Whether the axis has its numbers. */
@@ -32,6 +35,17 @@ function axisNumber(y: number): string {
   return Math.abs(y) < 1e5 ? shownNumber(y, 4) : y.toLocaleString('en', { notation: 'compact' });
 }
 
+/** 0 and a few powers of ten on either side of it that lie within a range. */
+function powers(unit: number, low: number, high: number, most = 2): number[] {
+  const reach = Math.max(high, -low);
+  const [first, last] = [unit, reach].map((y) => Math.floor(Math.log10(y) + 1e-9));
+  const step = Math.max(1, Math.ceil((last - first) / most));
+  const splits = [0];
+  for (let k = last; k > first; k -= step) splits.push(10 ** k, -(10 ** k));
+  return splits.filter((y) => y >= low && y <= high).sort((a, b) => a - b);
+}
+
+const kHeadroom = 0.06; // above the curve
 const kFont = '11px system-ui, sans-serif';
 
 /** Whether a logarithmic axis can be a true one. */
@@ -86,12 +100,16 @@ export class SignaturePlot {
         legend: { show: false },
         cursor: { show: false },
         hooks: { draw: [() => this.drawn()] },
-        padding: [6, 2, data.hasAxis ? 0 : 5, 0],
+        padding: [6, 14, data.hasAxis ? 0 : 5, 0],
         scales: {
           x: { time: false, distr, asinh, range: () => data.range } as uPlot.Scale,
           y: {
+            distr: data.areValuesLog ? 4 : 1,
+            asinh: data.unit,
             range: (_, low, high) =>
-              low === high ? [low - 1, high + 1] : [Math.min(0, low), high + 0.06 * (high - low)],
+              low === high
+                ? [low - 1, high + 1]
+                : [Math.min(0, low), high + kHeadroom * (high - low)],
           },
         },
         series: [{}, { stroke: look.curve, fill: look.fill, width: 1.5, points: { show: false } }],
@@ -101,6 +119,7 @@ export class SignaturePlot {
             size: 24,
             gap: 2,
             space: 60,
+            ...(distr === 4 ? { splits: () => powers(asinh, ...data.range, 6) } : {}),
             values: (_, splits) => splits.map((x) => (x === null ? null : shownNumber(x, 4))),
           },
           {
@@ -108,6 +127,9 @@ export class SignaturePlot {
             size: 52,
             gap: 4,
             space: 22,
+            ...(data.areValuesLog
+              ? { splits: (_, __, low, high) => powers(data.unit, low, high) }
+              : {}),
             values: (_, splits) => splits.map((y) => (y === null ? null : axisNumber(y))),
           },
         ],

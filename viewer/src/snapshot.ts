@@ -27,28 +27,36 @@ export class SnapshotError extends Error {
 }
 
 const kMagic = 'OBsnap1\n';
+const kPiece = 1 << 20; // letters: one string of everything would take its size once more
 
 function damaged(what: string): SnapshotError {
   return new SnapshotError('damaged', `The data in this page is damaged: ${what}.`);
 }
 
-/** The bytes of base64 text; of damaged text an error. */
-export function bytesFromBase64(text: string): Uint8Array<ArrayBuffer> {
-  const length = text.length;
+/**
+ * The bytes of base64 text; of damaged text an error.
+ * @param parts  of the text, one after the other: browsers do not make strings as long as it may be.
+ */
+export function bytesFromBase64(parts: readonly string[]): Uint8Array<ArrayBuffer> {
+  const length = parts.reduce((sum, part) => sum + part.length, 0);
   if (length % 4 !== 0) throw damaged('its text is cut short');
-  const padding = text.endsWith('==') ? 2 : text.endsWith('=') ? 1 : 0;
-  const bytes = new Uint8Array((length / 4) * 3 - padding);
-  // Decoded in pieces: one string of everything would take its size once more.
-  const piece = 1 << 20;
+  const end = parts.slice(-2).join('').slice(-2);
+  const bytes = new Uint8Array((length / 4) * 3 - (end === '==' ? 2 : end.endsWith('=') ? 1 : 0));
   let at = 0;
-  for (let begin = 0; begin < length; begin += piece) {
-    let binary: string;
-    try {
-      binary = atob(text.slice(begin, begin + piece));
-    } catch {
-      throw damaged('its text has letters that do not belong there');
+  let rest = ''; // less than four letters
+  for (const part of parts) {
+    const text = rest + part;
+    const whole = text.length - (text.length % 4);
+    rest = text.slice(whole);
+    for (let begin = 0; begin < whole; begin += kPiece) {
+      let binary: string;
+      try {
+        binary = atob(text.slice(begin, Math.min(whole, begin + kPiece)));
+      } catch {
+        throw damaged('its text has letters that do not belong there');
+      }
+      for (let i = 0; i < binary.length; ++i) bytes[at++] = binary.charCodeAt(i);
     }
-    for (let i = 0; i < binary.length; ++i) bytes[at++] = binary.charCodeAt(i);
   }
   return bytes;
 }
@@ -237,6 +245,19 @@ function completeFacets(
   return { ...facets, corners, regular, interior };
 }
 
+function pairsOf(file: PackedFile, simplices: readonly Simplices[], dimension: number) {
+  const name = `persistence_${dimension}` as ArrayName;
+  const count = file.facts[`pairs_${dimension}` as 'pairs_0'] ?? 0;
+  const pairs = file.numbers(name, 2 * count);
+  const [born, filling] = [simplices[dimension].count, simplices[dimension + 1].count];
+  for (let i = 0; i < pairs.length; i += 2) {
+    if (pairs[i] >= born || (pairs[i + 1] >= filling && pairs[i + 1] !== kNone)) {
+      throw damaged(`${name} has the pair ${pairs[i]}, ${pairs[i + 1]}`);
+    }
+  }
+  return pairs;
+}
+
 function labelsOf(file: PackedFile, facts: Facts): Snapshot['labels'] {
   const labels: Snapshot['labels'] = {};
   for (const name of Object.keys(facts.dictionaries) as LabelName[]) {
@@ -284,6 +305,7 @@ export function readSnapshot(bytes: Uint8Array<ArrayBuffer>): Snapshot {
     areaSingular: file.reals('area_singular', s),
     areaRegular: file.reals('area_regular', s),
     length: D === 3 ? file.reals('length', s) : none,
+    persistence: [0, 1, 2].slice(0, D).map((k) => pairsOf(file, simplices, k)),
     line: file.has('line') ? file.numbers('line', facts.sites) : new Uint32Array(0),
     labels: labelsOf(file, facts),
   };

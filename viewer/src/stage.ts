@@ -15,12 +15,14 @@ import {
   type Vector,
 } from './camera';
 import { componentsAt, distancesAt } from './connections';
+import { dimensionApart, spreadOf } from './layers';
 import { bondsOf, traceOf } from './molecule';
 import { changesWithIndex, colouringOf, type Colouring, type Rgb } from './palette';
-import { pickBall, pickEdge, pickTriangle, type Hit } from './picking';
-import { Scene, type FrameReport } from './scene';
+import { pickables } from './pickable';
+import { pick } from './picking';
+import { Scene, type FrameReport } from './scene/scene';
 import { ShapeModel } from './shape_model';
-import { isShown, type Picked, type State } from './state';
+import type { Picked, State } from './state';
 import { kNone, type Snapshot } from './types';
 
 export interface StageEvents {
@@ -39,6 +41,9 @@ const kNarrow = 700; // CSS pixels; there it does
 export class Stage {
   readonly model: ShapeModel;
   readonly scene: Scene;
+  private readonly bonds: Uint32Array;
+  /** [4 * point + i]: the way of its component from the middle, and its way from the wave's source. */
+  private moves: Float32Array;
   camera: Camera;
   private state: State;
   private readonly pointers = new Map<number, { x: number; y: number }>();
@@ -59,7 +64,9 @@ export class Stage {
     private readonly events: StageEvents,
   ) {
     this.model = new ShapeModel(snapshot);
-    this.scene = new Scene(canvas, this.model, bondsOf(snapshot), traceOf(snapshot));
+    this.bonds = bondsOf(snapshot);
+    this.moves = new Float32Array(4 * this.model.pointCount);
+    this.scene = new Scene(canvas, this.model, this.bonds, traceOf(snapshot));
     this.state = state;
     this.camera = this.firstCamera();
     this.listen();
@@ -118,13 +125,15 @@ export class Stage {
         ? `${state.picked.dimension}.${state.picked.simplex}`
         : '';
     const offset = parts || source ? `${parts} ${source} ${state.index}` : '';
-    if (offset !== '' && offset !== this.offset) this.scene.setOffsets(this.offsets(parts));
+    if (offset !== '' && offset !== this.offset) {
+      this.moves = this.movesOf(parts);
+      this.scene.setOffsets(this.moves);
+    }
     this.offset = offset;
     this.draw();
   }
 
-  // [point]: the way of its component from the middle, and its way from the wave's source.
-  private offsets(parts: boolean): Float32Array {
+  private movesOf(parts: boolean): Float32Array {
     const { points, pointCount } = this.model;
     const offsets = new Float32Array(4 * pointCount);
     if (parts) {
@@ -301,73 +310,50 @@ export class Stage {
       this.moveCamera(panned(zoomedOne, dx / 2 / clientHeight, -dy / 2 / clientHeight));
       return;
     }
-    const isPlanar = this.snapshot.facts.dimension === 2;
-    const pans = isPlanar || event.buttons === 2 || event.buttons === 4 || event.shiftKey;
+    const pans =
+      this.model.isPlanar || event.buttons === 2 || event.buttons === 4 || event.shiftKey;
     if (event.ctrlKey || event.altKey || event.metaKey)
       this.moveCamera(rolled(this.camera, -0.008 * dx));
     else if (pans) this.moveCamera(panned(this.camera, dx / clientHeight, -dy / clientHeight));
     else this.moveCamera(orbited(this.camera, 0.008 * dx, 0.008 * dy));
   }
 
-  /** Where a point is drawn now. */
-  private placeOf(): (point: number) => Vector {
-    const { points } = this.model;
-    return (p) => [points[4 * p], points[4 * p + 1], points[4 * p + 2]];
-  }
-
   /** What is seen at a place of the canvas, CSS pixels. */
   pick(x: number, y: number): Picked | null {
-    const { state, camera, model, snapshot } = this;
+    const { state, camera, model } = this;
     const { clientWidth, clientHeight } = this.canvas;
-    const isOrthographic = snapshot.facts.dimension === 2 || state.projection === 'orthographic';
-    const ray = rayAt(
-      camera,
-      clientWidth / clientHeight,
-      isOrthographic,
-      (2 * x) / clientWidth - 1 - this.scene.shift,
-      1 - (2 * y) / clientHeight,
-    );
+    const isOrthographic = model.isPlanar || state.projection === 'orthographic';
     const pixel = (2 * Math.tan((Math.PI / 180) * 14)) / clientHeight;
-    const wide = {
-      ...ray,
+    const ray = {
+      ...rayAt(
+        camera,
+        clientWidth / clientHeight,
+        isOrthographic,
+        (2 * x) / clientWidth - 1 - this.scene.shift,
+        1 - (2 * y) / clientHeight,
+      ),
       widthPerDistance: isOrthographic ? 0 : kPickPixels * pixel,
       width: isOrthographic ? kPickPixels * pixel * camera.distance : 0,
     };
-    const clip = this.scene.clipPlane(state, camera);
-    const isSeen = (p: Vector) => clip[0] * p[0] + clip[1] * p[1] + clip[2] * p[2] + clip[3] <= 0;
-    const place = this.placeOf();
-    const [, edges, triangles] = snapshot.simplices;
-    // Simplices that have moved apart are not where they belong.
-    if (state.explosion > 0) return null;
-    const list = (k: number, role: 'singular' | 'regular' | 'interior') =>
-      model.meshes[k].list(role);
-    let hit: Hit | null = null;
-    const isPlanar = snapshot.facts.dimension === 2;
-    if (isShown(state, 'regular') && !isPlanar)
-      hit = pickTriangle(hit, wide, list(2, 'regular'), triangles.corners, place, isSeen);
-    if (isShown(state, 'singular_triangles'))
-      hit = pickTriangle(hit, wide, list(2, 'singular'), triangles.corners, place, isSeen);
-    if (isShown(state, 'interior'))
-      hit = pickTriangle(hit, wide, list(2, 'interior'), triangles.corners, place, isSeen);
-    if (isShown(state, 'singular_edges'))
-      hit = pickEdge(hit, wide, list(1, 'singular'), edges.corners, place, isSeen);
-    if (isShown(state, 'regular') && isPlanar)
-      hit = pickEdge(hit, wide, list(1, 'regular'), edges.corners, place, isSeen);
-    const used = (role: 'singular' | 'regular') =>
-      list(0, role).simplices.subarray(0, list(0, role).size);
-    if (isShown(state, 'singular_vertices'))
-      hit = pickBall(hit, wide, used('singular'), place, () => 0, isSeen);
-    if (isShown(state, 'balls') && !isPlanar) {
-      const alpha2 = state.alpha2 * model.scale ** 2;
-      const radius = (p: number) => Math.sqrt(model.points[4 * p + 3] + alpha2) || NaN;
-      for (const role of ['singular', 'regular'] as const)
-        hit = pickBall(hit, wide, used(role), place, radius, isSeen);
+    const spread = spreadOf(state);
+    const isApart = dimensionApart(state) >= 0;
+    const parts = isApart ? 0 : spread;
+    const { points } = model;
+    const { moves } = this;
+    const placement = {
+      place: (p: number): Vector => [
+        points[4 * p] + parts * moves[4 * p],
+        points[4 * p + 1] + parts * moves[4 * p + 1],
+        points[4 * p + 2] + parts * moves[4 * p + 2],
+      ],
+      spread: isApart ? spread : 0,
+      clip: this.scene.clipPlane(state, camera),
+    };
+    for (const group of pickables(model, state, this.bonds)) {
+      const picked = pick(ray, group, placement);
+      if (picked) return picked;
     }
-    if (isShown(state, 'points')) {
-      const all = Array.from({ length: snapshot.simplices[0].count }, (_, i) => i);
-      hit = pickBall(hit, wide, all, place, () => 0, isSeen);
-    }
-    return hit && { dimension: hit.dimension, simplex: hit.simplex };
+    return null;
   }
 
   /** What is seen in the middle of the view. */

@@ -73,6 +73,10 @@ export interface State {
   background: 'plain' | 'white' | 'black';
   plotAxis: PlotAxis;
   plotScale: 'linear' | 'log';
+  /** Upwards. */
+  valueScale: 'linear' | 'log';
+  /** Whether the persistence diagram is shown. */
+  diagram: boolean;
   /** Names of quantities. */
   panels: readonly string[];
   picked: Picked | null;
@@ -89,7 +93,7 @@ export function startState(snapshot: Snapshot): State {
   const { facts } = snapshot;
   const inSpace = facts.dimension === 3;
   // Of a large molecule its balls are what people know; the shape inside is a thicket at first.
-  const isLargeMolecule = inSpace && facts.weights === 'molecule_radii' && facts.vertices > 5000;
+  const isLargeMolecule = inSpace && facts.weights === 'molecule_radii' && facts.vertices > 1500;
   const layers: Layer[] = isLargeMolecule
     ? ['balls']
     : ['regular', 'singular_triangles', 'singular_edges', 'singular_vertices'];
@@ -117,6 +121,8 @@ export function startState(snapshot: Snapshot): State {
     background: 'plain',
     plotAxis: 'alpha',
     plotScale: 'linear',
+    valueScale: 'linear',
+    diagram: true,
     panels: inSpace ? ['betti_1', 'betti_2', 'volume'] : ['betti_0', 'betti_1', 'volume'],
     picked: null,
     wave: null,
@@ -159,6 +165,27 @@ export function atNextNotable(state: State, snapshot: Snapshot, direction: numbe
 export function withLayer(state: State, layer: Layer, isShown: boolean): State {
   const others = state.layers.filter((other) => other !== layer);
   return { ...state, layers: isShown ? [...others, layer] : others };
+}
+
+const kSeenThrough = 0.3; // opacity
+
+/**
+ * Coloured in another way. Voids in space lie within the shape, which is seen instead of balls and
+ * through while they are looked at.
+ */
+export function colouredBy(state: State, colour: Colour, inSpace: boolean): State {
+  const next = { ...state, colour };
+  if (!inSpace) return next;
+  if (colour !== 'void') {
+    const wasForVoids = state.colour === 'void' && state.opacity === kSeenThrough;
+    return wasForVoids ? { ...next, opacity: 1 } : next;
+  }
+  const surface: Layer[] = ['regular', 'singular_triangles'];
+  return {
+    ...next,
+    opacity: state.opacity === 1 ? kSeenThrough : state.opacity,
+    layers: [...new Set([...state.layers, ...surface])].filter((layer) => layer !== 'balls'),
+  };
 }
 
 export function isShown(state: State, layer: Layer): boolean {

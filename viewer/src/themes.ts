@@ -3,6 +3,7 @@
 // What the canvas needs to know of the page's colours; the page's own are in app.css.
 
 import type { Rgb } from './palette';
+import type { DiagramLook } from './persistence_diagram';
 import type { PlotLook } from './signature_plot';
 import type { State } from './state';
 
@@ -10,6 +11,7 @@ export type ThemeName = 'light' | 'dark';
 
 export interface Look {
   plot: PlotLook;
+  diagram: DiagramLook;
   isDark: boolean;
   /** CSS, behind the shape. */
   background: string;
@@ -34,15 +36,38 @@ const kPlots: Record<ThemeName, PlotLook> = {
   },
 };
 
+const kDiagrams: Record<ThemeName, DiagramLook> = {
+  light: {
+    isDark: false,
+    axis: '#c9cfd8',
+    text: '#596273',
+    quadrant: 'rgba(213, 94, 0, 0.07)',
+    marker: '#d55e00',
+  },
+  dark: {
+    isDark: true,
+    axis: '#3a4250',
+    text: '#a3acba',
+    quadrant: 'rgba(255, 154, 77, 0.1)',
+    marker: '#ff9a4d',
+  },
+};
+
 export function lookOf(theme: ThemeName, background: State['background']): Look {
-  const plot = kPlots[theme];
+  const page = { plot: kPlots[theme], diagram: kDiagrams[theme] };
   if (background === 'white')
-    return { plot, isDark: false, background: '#ffffff', plain: '#ffffff', fog: [255, 255, 255] };
+    return {
+      ...page,
+      isDark: false,
+      background: '#ffffff',
+      plain: '#ffffff',
+      fog: [255, 255, 255],
+    };
   if (background === 'black')
-    return { plot, isDark: true, background: '#000000', plain: '#000000', fog: [0, 0, 0] };
+    return { ...page, isDark: true, background: '#000000', plain: '#000000', fog: [0, 0, 0] };
   const isDark = theme === 'dark';
   return {
-    plot,
+    ...page,
     isDark,
     background: 'radial-gradient(120% 120% at 50% 20%, var(--stage-top), var(--stage-bottom))',
     plain: isDark ? '#151a22' : '#f5f7fa',

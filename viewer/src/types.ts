@@ -37,6 +37,9 @@ export const kArrays = {
   area_singular: ['f64', 'f32'],
   area_regular: ['f64', 'f32'],
   length: ['f64', 'f32'],
+  persistence_0: ['u32'],
+  persistence_1: ['u32'],
+  persistence_2: ['u32'],
   line: ['u32'],
   element: ['u32'],
   atom: ['u32'],
@@ -77,6 +80,9 @@ export interface Facts {
   triangles: number;
   tetrahedra?: number;
   spectrum_size: number;
+  pairs_0: number;
+  pairs_1: number;
+  pairs_2?: number;
   notable: Notable[];
   dictionaries: Partial<Record<LabelName, string[]>>;
 }
@@ -145,6 +151,11 @@ export interface Snapshot {
   areaRegular: Float64Array | Float32Array;
   /** [index - 1]; empty in the plane. */
   length: Float64Array | Float32Array;
+  /**
+   * [dimension][2 * pair]: the simplex of that dimension that begins a class of cycles, and the one of
+   * the next that ends it, kNone for never. Classes that live at one index at least.
+   */
+  persistence: Uint32Array[];
   /** [row]: line of the input; empty where it has none. */
   line: Uint32Array;
   labels: Partial<Record<LabelName, Labels>>;
@@ -157,4 +168,26 @@ export function roleAt(simplices: Simplices, simplex: number, index: number): Ro
   if (index < simplices.enters[simplex]) return 'exterior';
   if (index < simplices.regular[simplex]) return 'singular';
   return index < simplices.interior[simplex] ? 'regular' : 'interior';
+}
+
+/**
+ * The rows of a simplex, ascending. Numbers of vertices go on with those of hidden sites, which are
+ * in no simplex but have rows as well.
+ */
+export function rowsOf(
+  snapshot: Snapshot,
+  { dimension, simplex }: { dimension: number; simplex: number },
+): number[] {
+  const { count, corners } = snapshot.simplices[dimension];
+  if (simplex >= count) return [snapshot.hidden[simplex - count]];
+  const vertices = corners.subarray((dimension + 1) * simplex, (dimension + 1) * (simplex + 1));
+  return [...vertices].map((v) => snapshot.vertexRows[v]).sort((a, b) => a - b);
+}
+
+/** Other rows that are equal to one that stands for them. */
+export function equalRows({ duplicates }: Snapshot, row: number): number[] {
+  const rows: number[] = [];
+  for (let i = 0; i < duplicates.length; i += 2)
+    if (duplicates[i + 1] === row) rows.push(duplicates[i]);
+  return rows;
 }

@@ -3,7 +3,7 @@
 // The program, and pages that it makes, for tests.
 
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 
@@ -16,6 +16,21 @@ const kRoot = resolve(import.meta.dirname, '../..');
 export function sourceFile(name: string): string {
   return join(kRoot, name);
 }
+
+/** A file of the shared data, which may lie beside the source tree. */
+export function sharedFile(name: string): string {
+  return join(kRoot, '../shared/data', name);
+}
+
+/** Whether the shared data are there; says so where not. */
+export const hasSharedData = existsSync(sharedFile(''));
+if (!hasSharedData) console.warn('tests of files in ../shared/data are skipped: it is not there');
+
+export const kSamples = {
+  molecule: sourceFile('examples/data/bdna_dodecamer.pdb'),
+  surface: sourceFile('examples/data/linked_tori.csv'),
+  plane: sourceFile('examples/data/figure_eight.csv'),
+};
 
 /** What the program prints. */
 export function orthoball(...args: string[]): Buffer {
@@ -43,7 +58,7 @@ export function dataOf(page: string): string {
 /** The snapshot that the program makes of an input. */
 export async function snapshotOf(input: string, ...args: string[]): Promise<Snapshot> {
   const page = orthoball('view', input, '-o', '-', ...args).toString();
-  return readSnapshot(await gunzipped(bytesFromBase64(dataOf(page))));
+  return readSnapshot(await gunzipped(bytesFromBase64([dataOf(page)])));
 }
 
 /** A row of `orthoball signatures --json`, by the names that the columns of the CSV have. */

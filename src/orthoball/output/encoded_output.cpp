@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <new>
 #include <streambuf>
 #include <string_view>
+#include <utility>
 
 namespace orthoball {
 
@@ -72,7 +74,8 @@ void GzipOutput::finish() { buffer_->finish(); }
 
 class Base64Output::Buffer : public std::streambuf {
  public:
-  explicit Buffer(ByteSink& to) : to_(to) {}
+  Buffer(ByteSink& to, std::string between, std::size_t length)
+      : to_(to), between_(std::move(between)), length_(length) {}
 
   void finish() {
     if (count_ == 0) return;
@@ -107,18 +110,28 @@ class Base64Output::Buffer : public std::streambuf {
     count_ = 0;
   }
   void hand_over() {
+    if (text_.empty()) return;
+    if (written_ >= length_) {
+      to_.text(between_);
+      written_ = 0;
+    }
     to_.text(text_);
+    written_ += text_.size();
     text_.clear();
   }
 
   ByteSink& to_;
-  std::uint32_t bits_ = 0;  // of `count_` bytes
+  std::string between_;
+  std::size_t length_, written_ = 0;  // of the part
+  std::uint32_t bits_ = 0;            // of `count_` bytes
   std::size_t count_ = 0;
   std::string text_;
 };
 
 Base64Output::Base64Output(ByteSink& to)
-    : std::ostream(nullptr), buffer_(std::make_unique<Buffer>(to)) {
+    : Base64Output(to, {}, std::numeric_limits<std::size_t>::max()) {}
+Base64Output::Base64Output(ByteSink& to, std::string between, std::size_t length)
+    : std::ostream(nullptr), buffer_(std::make_unique<Buffer>(to, std::move(between), length)) {
   rdbuf(buffer_.get());
   exceptions(badbit);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -28,10 +29,13 @@ class GzipOutput : public std::ostream {
   std::unique_ptr<Buffer> buffer_;
 };
 
-/// A stream whose bytes go on to a sink as base64 in one line. Does not own the sink.
+/// A stream whose bytes go on to a sink as base64. Does not own the sink.
 class Base64Output : public std::ostream {
  public:
+  /// In one line.
   explicit Base64Output(ByteSink& to);
+  /// In parts of about `length` characters, a multiple of four each, and `between` between them.
+  Base64Output(ByteSink& to, std::string between, std::size_t length);
   Base64Output(const Base64Output&) = delete;
   Base64Output& operator=(const Base64Output&) = delete;
   ~Base64Output() override;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -15,6 +16,7 @@
 #include "orthoball/filtration/alpha.h"
 #include "orthoball/output/packed_arrays.h"
 #include "orthoball/signatures/signature.h"
+#include "orthoball/topology/persistence.h"
 #include "orthoball/version.h"
 
 namespace orthoball {
@@ -132,7 +134,7 @@ void write_start(ByteSink& json, const SnapshotFacts& facts) {
 // The members of the header.
 template <int D>
 std::string facts_text(const Filtration<D>& filtration, const SnapshotFacts& facts,
-                       const Labels& labels) {
+                       const Labels& labels, const PersistencePairs<D>& pairs) {
   const RegularTriangulation<D>& triangulation = filtration.triangulation();
   std::ostringstream out;
   ByteSink json(out, "null");
@@ -153,6 +155,9 @@ std::string facts_text(const Filtration<D>& filtration, const SnapshotFacts& fac
     count(",\"" + std::string(kNouns[static_cast<std::size_t>(k)]) + "\":", filtration.count(k));
   }
   count(",\"spectrum_size\":", filtration.spectrum_size());
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    count(",\"pairs_" + std::to_string(k) + "\":", pairs[k].size());
+  }
   write_notable(json, filtration);
   json.text(",\"dictionaries\":{");
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -285,6 +290,29 @@ void add_signatures(PackedArrays& arrays, const SignatureArrays<D>& signatures) 
   }
 }
 
+// By the number of the simplex that closes the cycle, which packs better than the order of births.
+template <int D>
+void add_pairs(PackedArrays& arrays, const Filtration<D>& filtration,
+               const PersistencePairs<D>& pairs) {
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    arrays.add("persistence_" + std::to_string(k), 2 * pairs[k].size(), 2,
+               [&filtration, &of_dimension = pairs[k], k] {
+                 auto sorted = of_dimension;
+                 std::sort(sorted.begin(), sorted.end(),
+                           [](const auto& a, const auto& b) { return a.birth < b.birth; });
+                 const int dimension = static_cast<int>(k);
+                 const std::uint32_t first = filtration.table().first(dimension),
+                                     first_filling = filtration.table().first(dimension + 1);
+                 Numbers numbers;
+                 for (const auto& [birth, death] : sorted) {
+                   numbers.push_back(birth.row() - first);
+                   numbers.push_back(death.exists() ? death.row() - first_filling : kOutside);
+                 }
+                 return numbers;
+               });
+  }
+}
+
 void add_labels(PackedArrays& arrays, const SiteLabels& labels, const Labels& coded) {
   if (!labels.line.empty()) {
     arrays.add("line", labels.line.size(), 1,
@@ -302,6 +330,7 @@ template <int D>
 void write_snapshot(ByteSink& sink, const Filtration<D>& filtration, const WeightedPoints& points,
                     const SiteLabels& labels, const SnapshotFacts& facts, Threads threads) {
   const SignatureArrays<D> signatures(filtration, threads);
+  const PersistencePairs<D> pairs = persistence_pairs(filtration, WantedPairs::lasting, threads);
   const Labels coded_labels = coded(labels);
   PackedArrays arrays;
   add_sites(arrays, points);
@@ -312,8 +341,9 @@ void write_snapshot(ByteSink& sink, const Filtration<D>& filtration, const Weigh
   });
   add_simplices(arrays, filtration);
   add_signatures(arrays, signatures);
+  add_pairs(arrays, filtration, pairs);
   add_labels(arrays, labels, coded_labels);
-  arrays.write(sink, facts_text(filtration, facts, coded_labels));
+  arrays.write(sink, facts_text(filtration, facts, coded_labels, pairs));
 }
 
 template void write_snapshot<2>(ByteSink&, const Filtration<2>&, const WeightedPoints&,

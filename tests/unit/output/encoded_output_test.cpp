@@ -56,6 +56,16 @@ TEST(Base64Output, GivesTheExamplesOfTheStandardInWhateverPieces) {
   EXPECT_EQ(base64("\xFF\xFE\xFD", 3), "//79");
 }
 
+TEST(Base64Output, PutsSomethingBetweenPartsOfWholeGroups) {
+  const std::string text = written([](ByteSink& sink) {
+    Base64Output out(sink, "|", 6);
+    for (const char c : std::string("foobarfoobarf")) out.put(c);
+    out.finish();
+  });
+  EXPECT_EQ(text, "Zm9vYmFy|Zm9vYmFy|Zg==");
+  EXPECT_EQ(written([](ByteSink& sink) { Base64Output(sink, "|", 6).finish(); }), "");
+}
+
 TEST(GzipOutput, IsReadBackByZlib) {
   std::string bytes;
   for (int i = 0; i < 300000; ++i) bytes += static_cast<char>(i * i >> 7);

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "orthoball/signatures/signature.h"
+#include "orthoball/topology/persistence.h"
 #include "unit/output/shapes.h"
 #include "unit/output/snapshot_reader.h"
 
@@ -112,7 +113,8 @@ void expect_as_described(const std::string& bytes) {
   }
   std::set<std::string> members;
   for (const auto& cells : described("The header")) {
-    if (cells[0] == "tetrahedra" && read.header()["dimension"] == 2) continue;
+    const bool is_of_space = cells[0] == "tetrahedra" || cells[0] == "pairs_2";
+    if (is_of_space && read.header()["dimension"] == 2) continue;
     members.insert(cells[0]);
     EXPECT_TRUE(read.header().contains(cells[0])) << cells[0];
   }
@@ -215,6 +217,37 @@ TEST(Snapshot, KeepsSitesSpectrumAndSignatures) {
     EXPECT_EQ(read.reals("area_regular")[i], signatures[i].area_regular);
     EXPECT_EQ(read.reals("length")[i], signatures[i].length);
   }
+}
+
+// The simplices that begin and end each class, as a reader of the file finds them.
+template <int D>
+void expect_pairs(const Shapes<D>& shapes) {
+  const PackedReader read(snapshot(shapes));
+  const auto expected = persistence_pairs(shapes.filtration);
+  for (std::size_t k = 0; k < D; ++k) {
+    const auto& table = shapes.filtration.table();
+    const std::uint32_t first = table.first(static_cast<int>(k)),
+                        first_filling = table.first(static_cast<int>(k) + 1);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> found, true_ones;
+    const auto numbers = read.numbers("persistence_" + std::to_string(k));
+    for (std::size_t i = 0; i < numbers.size(); i += 2) {
+      found.emplace(numbers[i], numbers[i + 1]);
+      EXPECT_TRUE(i == 0 || numbers[i - 2] < numbers[i]);
+    }
+    for (const auto& [birth, death] : expected[k]) {
+      true_ones.emplace(birth.row() - first,
+                        death.exists() ? death.row() - first_filling : 0xFFFFFFFFU);
+    }
+    EXPECT_EQ(found, true_ones);
+    EXPECT_EQ(read.header()["pairs_" + std::to_string(k)], expected[k].size());
+  }
+}
+
+TEST(Snapshot, KeepsPersistencePairs) {
+  expect_pairs(mixed_shapes());
+  expect_pairs(planar());
+  expect_pairs(flat());
+  expect_pairs(Shapes<3>({}));
 }
 
 TEST(Snapshot, NamesWordsOfLabelsInTheOrderOfTheirRows) {

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 
 import { alphaFromAlpha2 } from '../../src/alpha';
 import { quantitiesOf } from '../../src/quantities';
-import { readSnapshot, SnapshotError } from '../../src/snapshot';
+import { bytesFromBase64, readSnapshot, SnapshotError } from '../../src/snapshot';
 import { kArrays } from '../../src/types';
 import { orthoball, signatureRows, snapshotOf, sourceFile, spread, textOf } from '../program';
 
@@ -79,6 +79,19 @@ describe.each(kInputs)('the snapshot of %s', (input) => {
         else expect([index, name, values()[index]]).toEqual([index, name, row[name]]);
       }
     }
+  });
+});
+
+describe('bytesFromBase64', () => {
+  it('puts a text together that comes in any parts', () => {
+    const text = Buffer.from(Uint8Array.from({ length: 1000 }, (_, i) => (i * 7) % 256));
+    for (const size of [1, 2, 3, 5, 64, 2000]) {
+      const parts = text.toString('base64').match(new RegExp(`.{1,${size}}`, 'g'))!;
+      expect(Buffer.from(bytesFromBase64(parts)).equals(text), `in parts of ${size}`).toBe(true);
+    }
+    expect(bytesFromBase64(['QU', 'I', '='])).toEqual(Uint8Array.from([65, 66]));
+    expect(() => bytesFromBase64(['QUI'])).toThrow('cut short');
+    expect(() => bytesFromBase64(['QU', '?='])).toThrow('do not belong');
   });
 });
 

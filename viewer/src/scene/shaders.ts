@@ -78,6 +78,7 @@ uniform sampler2D ownColours;    // of simplices
 uniform vec3 colour;
 uniform int colouring;           // 0 one colour, 1 that of the nearest point, 2 the simplex's own
 uniform bool isSolid;            // simplices are tetrahedra, 12 corners of faces each
+uniform bool hasInside;          // backs are the inside of the shape
 
 flat out vec3 normal;
 flat out vec3 colour0;
@@ -124,12 +125,15 @@ void main() {
   eyePlace = corner == 0 ? eye0 : corner == 1 ? eye1 : eye2;
   way = wayTo(corner == 0 ? face.x : corner == 1 ? face.y : face.z);
   gl_Position = projection * vec4(eyePlace, 1.0);
+  // The far side of a flat tetrahedron must not shine through its near side.
+  vec3 toEye = projection[2][3] == 0.0 ? vec3(0.0, 0.0, 1.0) : -eye0;
+  if (hasInside && dot(normal, toEye) < 0.0) gl_Position.z += 1e-4 * gl_Position.w;
 }
 `;
 
 export const kTriangleFragment = /* glsl */ `
 ${kFragmentCommon}
-uniform bool isFlat;       // no light: the plane
+uniform bool isPlanar;     // no light
 uniform bool hasInside;    // backs are the inside of the shape
 uniform float outline;     // strength of the triangles' sides
 flat in vec3 normal;
@@ -149,7 +153,7 @@ void main() {
   bool isBack = dot(n, toEye) < 0.0;
   if (isBack) n = -n;
   vec3 light;
-  if (isFlat) {
+  if (isPlanar) {
     light = linear(colour);
   } else {
     if (isBack && hasInside) colour = mix(colour, vec3(0.55, 0.5, 0.48), 0.4);
@@ -164,7 +168,7 @@ void main() {
     light *= 1.0 - outline * side * (1.0 - smoothstep(0.12, 0.4, small));
   }
   light = withWave(light, way);
-  pixel = vec4(display(isFlat ? light : withFog(light, -eyePlace.z)), opacity);
+  pixel = vec4(display(isPlanar ? light : withFog(light, -eyePlace.z)), opacity);
 }
 `;
 
@@ -172,6 +176,7 @@ void main() {
 export const kEdgeVertex = /* glsl */ `
 ${kCommon}
 uniform usampler2D corners;
+uniform sampler2D ownColours;
 uniform sampler2D ends;      // used instead of points where hasEnds: two texels an edge
 uniform bool hasEnds;
 uniform vec3 colour;
@@ -204,6 +209,8 @@ void main() {
     if (colouring == 1) {
       colour0 = colourOf(int(both.x));
       colour1 = colourOf(int(both.y));
+    } else if (colouring == 2) {
+      colour0 = colour1 = texelFetch(ownColours, texel(edge), 0).rgb;
     }
   }
   if (explosion > 0.0 && !explodesParts && !hasEnds) {
@@ -230,7 +237,7 @@ void main() {
 
 export const kEdgeFragment = /* glsl */ `
 ${kFragmentCommon}
-uniform bool isFlat;
+uniform bool isPlanar;
 flat in vec3 colour0;
 flat in vec3 colour1;
 in vec3 eyePlace;
@@ -242,9 +249,9 @@ void main() {
   if (dot(clipPlane, vec4(scenePlace, 1.0)) > 0.0) discard;
   vec3 colour = across.y < 0.5 ? colour0 : colour1;
   float height = sqrt(max(0.0, 1.0 - across.x * across.x));
-  vec3 light = isFlat ? linear(colour) : linear(colour) * (0.45 + 0.55 * height);
+  vec3 light = isPlanar ? linear(colour) : linear(colour) * (0.45 + 0.55 * height);
   light = withWave(light, way);
-  pixel = vec4(display(isFlat ? light : withFog(light, -eyePlace.z)), opacity);
+  pixel = vec4(display(isPlanar ? light : withFog(light, -eyePlace.z)), opacity);
 }
 `;
 
@@ -326,14 +333,15 @@ in vec2 unit;
 void main() {
   if (isPlanar) {
     float far = dot(unit, unit);
-    if (far > 1.0) discard;
-    float smooth_ = 1.0;
+    float radiusShare = sqrt(far);
+    float cover = clamp((1.0 - radiusShare) / fwidth(radiusShare), 0.0, 1.0);
+    if (cover == 0.0) discard;
     // The ball with the least power distance is seen: where it is, is its power cell.
     float power = radius2 * (far - 1.0);
     gl_FragDepth = pixels > 0.0 ? 0.0 : 0.9 * (1.0 + power / planarDepth) + 0.02;
     vec3 flat_ = linear(ballColour);
     if (pixels > 0.0 && far > 0.62) flat_ *= 0.6;
-    pixel = vec4(display(withWave(flat_, way)), opacity * smooth_);
+    pixel = vec4(display(withWave(flat_, way)), opacity * cover);
     return;
   }
   vec3 direction = isOrthographic ? vec3(0.0, 0.0, -1.0) : normalize(eyePlace);
@@ -349,20 +357,18 @@ void main() {
   // Above the clipping plane: go on to where the ray comes below it, still inside the ball.
   vec3 up = mat3(view) * clipPlane.xyz;
   float above = dot(up, hit - centre) + dot(clipPlane, vec4(sceneCentre, 1.0));
-  float flatness = 0.0;
-  if (above > 0.0) {
+  bool isCut = above > 0.0;
+  if (isCut) {
     float slope = dot(up, direction);
     if (slope >= 0.0) discard;
     float step_ = -above / slope;
     if (step_ > 2.0 * half_) discard;
     hit += step_ * direction;
-    n = up;
-    flatness = 1.0;
   }
   vec4 clip = projection * vec4(hit, 1.0);
   gl_FragDepth = 0.5 + 0.5 * clip.z / clip.w;
   vec3 toEye = -direction;
-  vec3 light = lit(mix(ballColour, ballColour * 0.8, flatness), n, toEye);
+  vec3 light = isCut ? 0.85 * linear(ballColour) : lit(ballColour, n, toEye);
   light = withWave(light, way);
   pixel = vec4(display(withFog(light, -hit.z)), opacity);
 }
