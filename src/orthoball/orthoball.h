@@ -38,6 +38,7 @@
 #include "orthoball/signatures/signature.h"
 // queries
 #include "orthoball/queries/containment.h"
+#include "orthoball/queries/manifold_solid.h"
 #include "orthoball/queries/nearest.h"
 #include "orthoball/queries/planar_union.h"
 #include "orthoball/queries/pockets.h"
@@ -60,6 +61,7 @@
 #include "orthoball/output/shape_mesh.h"
 #include "orthoball/output/signature_plot.h"
 #include "orthoball/output/snapshot.h"
+#include "orthoball/output/solid_table.h"
 #include "orthoball/output/table_writer.h"
 #include "orthoball/output/tables.h"
 #include "orthoball/output/union_figure.h"
