@@ -135,9 +135,14 @@ void say_report(const ShapeOptions& options, const ChosenAlpha& alpha,
   say(options.input, text_of(alpha) + ": " + text);
 }
 
-// Of what the file lacks.
-void warn(const ShapeOptions& options, const orthoball::ShapeMesh& mesh,
-          const std::string& format) {
+bool is_last(const Loaded& input, std::uint32_t index) {
+  return std::visit([&](const auto& filtration) { return index == filtration.spectrum_size(); },
+                    input.shapes.filtration());
+}
+
+// Of what the file lacks, and of an alpha far from those of the points.
+void warn(const ShapeOptions& options, const Loaded& input, const ChosenAlpha& alpha,
+          const orthoball::ShapeMesh& mesh, const std::string& format) {
   const Contents contents = contents_of(mesh);
   const auto mesh_format = orthoball::mesh_format(format);
   const std::size_t thin = contents.singular_edges + contents.singular_vertices;
@@ -152,7 +157,11 @@ void warn(const ShapeOptions& options, const orthoball::ShapeMesh& mesh,
         fmt::format("warning: {} has no place for roles; they are left out", format));
   }
   if (contents.regular + contents.singular_triangles + thin == 0) {
-    say(options.input, "warning: the shape has no boundary at this alpha; the file has none");
+    say(options.input, "warning: the shape has no boundary at this alpha; the file has none: " +
+                           scale_text(input));
+  } else if (alpha.alpha2 > alpha_at(input, alpha.index).alpha2 && is_last(input, alpha.index)) {
+    say(options.input,
+        "at this alpha the shape is the convex hull of the points: " + scale_text(input));
   }
 }
 
@@ -206,7 +215,7 @@ void write_shape(const ShapeOptions& options, const Loaded& input,
       }
     }
   }
-  warn(options, mesh, format);
+  warn(options, input, alpha, mesh, format);
 }
 
 void run(const ShapeOptions& options) {

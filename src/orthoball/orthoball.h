@@ -13,6 +13,7 @@
 #include "orthoball/input/probe_radius.h"
 #include "orthoball/input/read.h"
 #include "orthoball/points/probe.h"
+#include "orthoball/points/subsample.h"
 #include "orthoball/points/weighted_points.h"
 // triangulation
 #include "orthoball/triangulation/build.h"
@@ -37,6 +38,7 @@
 #include "orthoball/signatures/notable_alphas.h"
 #include "orthoball/signatures/signature.h"
 // queries
+#include "orthoball/queries/alpha_candidates.h"
 #include "orthoball/queries/containment.h"
 #include "orthoball/queries/manifold_solid.h"
 #include "orthoball/queries/nearest.h"
@@ -46,6 +48,7 @@
 #include "orthoball/queries/regions.h"
 #include "orthoball/queries/voids.h"
 // output
+#include "orthoball/output/alpha_table.h"
 #include "orthoball/output/ball_tables.h"
 #include "orthoball/output/byte_sink.h"
 #include "orthoball/output/encoded_output.h"
