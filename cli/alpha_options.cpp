@@ -3,17 +3,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <variant>
 
 #include "cli/alpha_number.h"
 #include "cli/usage_error.h"
 #include "orthoball/filtration/alpha.h"
 #include "orthoball/output/alpha_text.h"
+#include "orthoball/queries/alpha_candidates.h"
 #include "orthoball/signatures/notable_alphas.h"
 
 namespace {
@@ -52,6 +55,36 @@ std::uint32_t index_from_text(const std::string& text, std::optional<std::uint32
   return index;
 }
 
+constexpr std::string_view kNamed = "auto:";
+
+std::string name_in(const std::string& text) { return text.substr(kNamed.size()); }
+
+// Whether it is auto:NAME.
+// @throws UsageError for a name that there is not.
+bool check_name(const std::string& text) {
+  if (text.rfind(kNamed, 0) != 0) return false;
+  const std::vector<std::string> names = orthoball::candidate_names(3);
+  if (std::find(names.begin(), names.end(), name_in(text)) == names.end()) {
+    throw UsageError(fmt::format("--alpha2 {}: there is no such candidate; there are {}",
+                                 text.substr(0, 60), fmt::join(names, ", ")));
+  }
+  return true;
+}
+
+// The candidate of a name.
+// @throws UsageError where the input has none, with the scale of its alphas.
+ChosenAlpha named_alpha(const Loaded& input, const std::string& name) {
+  return with_filtration(input, [&]<int D>(const orthoball::Filtration<D>& filtration) {
+    const auto candidates = orthoball::alpha_candidates<D>(filtration, meaning_of_weights(input));
+    for (const auto& [taken, at, from, to, stability] : candidates) {
+      if (taken.name != name || !taken.index) continue;
+      return ChosenAlpha{taken.alpha2, taken.alpha, *taken.index, taken.name, taken.reason};
+    }
+    throw UsageError(fmt::format("--alpha2 auto:{}: these points have no such alpha; {}", name,
+                                 scale_text(input)));
+  });
+}
+
 }  // namespace
 
 void add_alpha_options(CLI::App& command, AlphaOptions& options, bool takes_list,
@@ -63,8 +96,10 @@ void add_alpha_options(CLI::App& command, AlphaOptions& options, bool takes_list
           .add_option("--alpha2", options.alpha2,
                       std::string("signed squared radius [length^2]") +
                           (takes_list ? ", or auto, as in shape" : ", or auto: see below") +
-                          "\n(default: " + otherwise + ")")
-          ->type_name(takes_list ? type : "X|auto")
+                          ",\nor auto:NAME, a candidate of orthoball alpha"
+                          "\n(default: " +
+                          otherwise + ")")
+          ->type_name(takes_list ? type : "X|auto[:NAME]")
           ->group(group);
   auto* const alpha = command
                           .add_option("--alpha", options.alpha,
@@ -88,6 +123,24 @@ void add_alpha_options(CLI::App& command, AlphaOptions& options, bool takes_list
       ->group(group);
 }
 
+std::string scale_text(const Loaded& input) {
+  return with_filtration(input, [](const auto& filtration) -> std::string {
+    const std::uint32_t size = filtration.spectrum_size();
+    if (size == 0) return "there are no sites";
+    const auto at = [&](std::uint32_t index) {
+      return fmt::format("{}", filtration.alpha2(index));
+    };
+    std::string text =
+        fmt::format("the first simplex enters at alpha2 {}, the last at {}", at(1), at(size));
+    for (const auto& notable : orthoball::notable_alphas(filtration)) {
+      if (!notable.index || (notable.name != "connected" && notable.name != "solid")) continue;
+      text += fmt::format("; {} at {}", notable.name == "solid" ? "solid" : "in one piece",
+                          at(*notable.index));
+    }
+    return text;
+  });
+}
+
 ChosenAlpha alpha_at(const Loaded& input, std::uint32_t index) {
   const double alpha2 =
       index == 0 ? -std::numeric_limits<double>::infinity()
@@ -95,11 +148,15 @@ ChosenAlpha alpha_at(const Loaded& input, std::uint32_t index) {
   return {alpha2, orthoball::alpha_from_alpha2(alpha2), index, {}, {}};
 }
 
+orthoball::WeightMeaning meaning_of_weights(const Loaded& input) {
+  using orthoball::WeightMeaning;
+  if (input.reading.is_molecule) return WeightMeaning::molecule_radii;
+  const bool is_weighted = input.shapes.points().weight_kind() != orthoball::WeightKind::none;
+  return is_weighted ? WeightMeaning::given : WeightMeaning::none;
+}
+
 ChosenAlpha automatic_alpha(const Loaded& input) {
-  const auto meaning = input.reading.is_molecule ? orthoball::WeightMeaning::molecule_radii
-                       : input.shapes.points().weight_kind() == orthoball::WeightKind::none
-                           ? orthoball::WeightMeaning::none
-                           : orthoball::WeightMeaning::given;
+  const auto meaning = meaning_of_weights(input);
   const orthoball::NotableAlpha taken = with_filtration(input, [&](const auto& filtration) {
     return orthoball::automatic_alpha(filtration, orthoball::notable_alphas(filtration), meaning);
   });
@@ -133,7 +190,7 @@ void check(const AlphaOptions& options, bool takes_list) {
     }
   }
   for_each(options.alpha2, [](const std::string& text) {
-    if (text != "auto") (void)alpha2_from_text("--alpha2", text);
+    if (text != "auto" && !check_name(text)) (void)alpha2_from_text("--alpha2", text);
   });
   for_each(options.alpha,
            [](const std::string& text) { (void)alpha2_from_alpha("--alpha", text); });
@@ -147,8 +204,9 @@ void check(const AlphaOptions& options, bool takes_list) {
 std::vector<ChosenAlpha> chosen_alphas(const AlphaOptions& options, const Loaded& input) {
   std::vector<ChosenAlpha> chosen;
   for_each(options.alpha2, [&](const std::string& text) {
-    chosen.push_back(text == "auto" ? automatic_alpha(input)
-                                    : alpha_of(input, alpha2_from_text("--alpha2", text)));
+    chosen.push_back(text == "auto"     ? automatic_alpha(input)
+                     : check_name(text) ? named_alpha(input, name_in(text))
+                                        : alpha_of(input, alpha2_from_text("--alpha2", text)));
   });
   for_each(options.alpha, [&](const std::string& text) {
     chosen.push_back(alpha_of(input, alpha2_from_alpha("--alpha", text)));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/input_options.h"
+#include "orthoball/signatures/notable_alphas.h"
 
 /// The four forms of the parameter as typed; at most one of them is not empty.
 struct AlphaOptions {
@@ -22,7 +23,7 @@ struct ChosenAlpha {
   double alpha2;        ///< length^2
   double alpha;         ///< its signed root
   std::uint32_t index;  ///< of the spectrum; 0 below the first entry
-  std::string name;     ///< for --alpha2 auto: of the notable alpha that was taken; else empty
+  std::string name;     ///< for --alpha2 auto and auto:NAME: of what was taken; else empty
   std::string reason;   ///< and why it is notable
 };
 
@@ -47,6 +48,13 @@ void check(const AlphaOptions& options, bool takes_list);
 
 /// Says on standard error what `auto` stood for among `chosen`, unless --quiet.
 void say_how(const InputOptions& options, const std::vector<ChosenAlpha>& chosen);
+
+/// From where to where alpha2 means something for these points, for messages on alphas that do not
+/// suit them.
+[[nodiscard]] std::string scale_text(const Loaded& input);
+
+/// Where the weights of an input come from.
+[[nodiscard]] orthoball::WeightMeaning meaning_of_weights(const Loaded& input);
 
 /// `--alpha2 auto`: the alpha that is worth looking at first.
 [[nodiscard]] ChosenAlpha automatic_alpha(const Loaded& input);

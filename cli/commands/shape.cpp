@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -11,12 +12,16 @@
 #include "cli/commands.h"
 #include "cli/input_options.h"
 #include "cli/json_text.h"
+#include "cli/manifold_report.h"
+#include "cli/named_outputs.h"
 #include "cli/output_file.h"
 #include "cli/usage_error.h"
 #include "orthoball/counted.h"
 #include "orthoball/output/mesh.h"
 #include "orthoball/output/planar_shape.h"
 #include "orthoball/output/shape_mesh.h"
+#include "orthoball/output/solid_table.h"
+#include "orthoball/queries/manifold_solid.h"
 
 namespace {
 
@@ -26,6 +31,8 @@ struct ShapeOptions {
   std::string output = "-";
   std::string format;  // empty: from the name of the output
   bool regularized = false;
+  bool manifold = false;
+  std::string changes;
   bool roles = false;
   bool json = false;
 };
@@ -81,8 +88,17 @@ Contents contents_of(const orthoball::ShapeMesh& mesh) {
           mesh.edges.size() - edges, mesh.isolated.size()};
 }
 
+// What was made to be a closed surface.
+template <int D>
+struct Solid {
+  orthoball::ManifoldSolid<D> manifold;
+  DroppedSimplices<D> dropped;
+};
+
+template <int D>
 void write_report(const ShapeOptions& options, const ChosenAlpha& alpha,
-                  const orthoball::ShapeMesh& mesh, const std::string& format) {
+                  const orthoball::ShapeMesh& mesh, const std::string& format,
+                  const std::optional<Solid<D>>& solid) {
   const Contents contents = contents_of(mesh);
   nlohmann::ordered_json json{{"file", options.output}, {"format", format}};
   json["name"] = nullptr;
@@ -95,11 +111,14 @@ void write_report(const ShapeOptions& options, const ChosenAlpha& alpha,
   json["regular"] = contents.regular;
   json["singular"] = {contents.singular_vertices, contents.singular_edges};
   if (mesh.dimension == 3) json["singular"].push_back(contents.singular_triangles);
+  std::size_t missing = 0;
+  if (solid) json["manifold"] = manifold_json<D>(solid->manifold, solid->dropped, missing);
   const std::string text = json_text(json) + "\n";
   write_output("-", "", [&](orthoball::ByteSink& sink) {
     sink.text(text);
     sink.flush();
   });
+  warn_of_missing(options.input, missing, "null");
 }
 
 void say_report(const ShapeOptions& options, const ChosenAlpha& alpha,
@@ -107,7 +126,7 @@ void say_report(const ShapeOptions& options, const ChosenAlpha& alpha,
   const Contents contents = contents_of(mesh);
   std::string text = orthoball::counted(contents.regular,
                                         mesh.dimension == 3 ? "regular triangle" : "regular edge");
-  if (!options.regularized) {
+  if (!options.regularized && !options.manifold) {
     if (mesh.dimension == 3)
       text += ", " + orthoball::counted(contents.singular_triangles, "singular triangle");
     text += ", " + orthoball::counted(contents.singular_edges, "singular edge") + ", " +
@@ -116,9 +135,14 @@ void say_report(const ShapeOptions& options, const ChosenAlpha& alpha,
   say(options.input, text_of(alpha) + ": " + text);
 }
 
-// Of what the file lacks.
-void warn(const ShapeOptions& options, const orthoball::ShapeMesh& mesh,
-          const std::string& format) {
+bool is_last(const Loaded& input, std::uint32_t index) {
+  return std::visit([&](const auto& filtration) { return index == filtration.spectrum_size(); },
+                    input.shapes.filtration());
+}
+
+// Of what the file lacks, and of an alpha far from those of the points.
+void warn(const ShapeOptions& options, const Loaded& input, const ChosenAlpha& alpha,
+          const orthoball::ShapeMesh& mesh, const std::string& format) {
   const Contents contents = contents_of(mesh);
   const auto mesh_format = orthoball::mesh_format(format);
   const std::size_t thin = contents.singular_edges + contents.singular_vertices;
@@ -133,17 +157,70 @@ void warn(const ShapeOptions& options, const orthoball::ShapeMesh& mesh,
         fmt::format("warning: {} has no place for roles; they are left out", format));
   }
   if (contents.regular + contents.singular_triangles + thin == 0) {
-    say(options.input, "warning: the shape has no boundary at this alpha; the file has none");
+    say(options.input, "warning: the shape has no boundary at this alpha; the file has none: " +
+                           scale_text(input));
+  } else if (alpha.alpha2 > alpha_at(input, alpha.index).alpha2 && is_last(input, alpha.index)) {
+    say(options.input,
+        "at this alpha the shape is the convex hull of the points: " + scale_text(input));
   }
+}
+
+void check_options(const ShapeOptions& options) {
+  if (options.json && options.output == "-") {
+    throw UsageError("shape --json: the report goes to standard output; the shape needs -o FILE");
+  }
+  const OutputKind table = OutputKind::table;
+  check_outputs(options.input, options.output, {{"--changes", options.changes, table}});
+  check(options.alpha, false);
+}
+
+template <int D>
+void write_shape(const ShapeOptions& options, const Loaded& input,
+                 const orthoball::Filtration<D>& filtration, const ChosenAlpha& alpha,
+                 const std::string& format) {
+  std::optional<Solid<D>> solid;
+  if (options.manifold) {
+    solid = {manifold_solid(filtration, alpha.index), dropped_simplices(filtration, alpha.index)};
+  }
+  const auto& points = input.shapes.points();
+  const orthoball::ShapeMesh mesh =
+      solid ? solid_mesh(filtration, points, alpha.index, solid->manifold.contains)
+            : shape_mesh(filtration, points, alpha.index, options.regularized);
+  write_output(options.output, "null", [&](orthoball::ByteSink& sink) {
+    if (const auto mesh_format = orthoball::mesh_format(format)) {
+      return write_mesh(sink, mesh, {*mesh_format, options.roles, alpha.alpha2});
+    }
+    if constexpr (D == 2) {
+      const orthoball::PlanarShapeOptions planar{
+          alpha.index, alpha.alpha2, options.regularized || options.manifold, options.roles,
+          solid ? &solid->manifold.contains : nullptr};
+      if (format == "geojson") write_geojson(sink, filtration, points, planar);
+      if (format == "svg") write_shape_svg(sink, filtration, points, planar);
+    }
+  });
+  MissingNumbers missing;
+  if (!options.changes.empty()) {
+    write_table(options.changes, missing,
+                [&](orthoball::ByteSink& sink, orthoball::TableFormat table) {
+                  write_solid_changes<D>(sink, table, filtration, alpha.index, solid->manifold);
+                });
+  }
+  if (options.json) {
+    write_report<D>(options, alpha, mesh, format, solid);
+  } else {
+    say_report(options, alpha, mesh);
+    if (solid) {
+      for (const std::string& line : manifold_text<D>(solid->manifold, solid->dropped)) {
+        say(options.input, "manifold: " + line);
+      }
+    }
+  }
+  warn(options, input, alpha, mesh, format);
 }
 
 void run(const ShapeOptions& options) {
   const std::string format = format_of(options);
-  if (options.json && options.output == "-") {
-    throw UsageError("shape --json: the report goes to standard output; the shape needs -o FILE");
-  }
-  require_other_file(options.input, options.output);
-  check(options.alpha, false);
+  check_options(options);
   Progress progress(
       options.input.progress, options.input.quiet,
       {Stage::reading, Stage::triangulation, Stage::filtration, Stage::writing_shape});
@@ -154,28 +231,12 @@ void run(const ShapeOptions& options) {
   say_how(options.input, {alpha});
 
   progress.begin(Stage::writing_shape);
-  const orthoball::ShapeMesh mesh = std::visit(
-      [&](const auto& filtration) {
-        return shape_mesh(filtration, input.shapes.points(), alpha.index, options.regularized);
+  std::visit(
+      [&]<int D>(const orthoball::Filtration<D>& filtration) {
+        write_shape<D>(options, input, filtration, alpha, format);
       },
       input.shapes.filtration());
-  write_output(options.output, "null", [&](orthoball::ByteSink& sink) {
-    if (const auto mesh_format = orthoball::mesh_format(format)) {
-      return write_mesh(sink, mesh, {*mesh_format, options.roles, alpha.alpha2});
-    }
-    const auto& plane = std::get<orthoball::Filtration<2>>(input.shapes.filtration());
-    const orthoball::PlanarShapeOptions planar{alpha.index, alpha.alpha2, options.regularized,
-                                               options.roles};
-    if (format == "geojson") write_geojson(sink, plane, input.shapes.points(), planar);
-    if (format == "svg") write_shape_svg(sink, plane, input.shapes.points(), planar);
-  });
   progress.end();
-  if (options.json) {
-    write_report(options, alpha, mesh, format);
-  } else {
-    say_report(options, alpha, mesh);
-  }
-  warn(options, mesh, format);
 }
 
 }  // namespace
@@ -202,6 +263,18 @@ void add_shape_command(CLI::App& app) {
       ->add_flag("--regularized", options->regularized,
                  "without singular simplices: the boundary of the solid part only")
       ->group(group);
+  auto* const manifold =
+      command
+          ->add_flag("--manifold", options->manifold,
+                     "a closed surface to be printed: the solid part only, cells added or\n"
+                     "removed where it is no manifold; see below")
+          ->group(group);
+  command
+      ->add_option("--changes", options->changes,
+                   "with --manifold, what was changed and left out, as CSV or JSON")
+      ->type_name("FILE")
+      ->needs(manifold)
+      ->group(group);
   command
       ->add_flag("--roles", options->roles,
                  "mark every simplex as singular or regular: a property (ply, vtu),\n"
@@ -214,11 +287,17 @@ void add_shape_command(CLI::App& app) {
       "vertices, parts of the shape that bound no tetrahedron, are kept where the format can hold\n"
       "them: stl and off hold triangles only. Coordinates are those of INPUT; stl and glb round\n"
       "them to 24 bits. ply and vtu name the input row of every vertex.\n\n"
+      "--manifold: every surface is closed, oriented and a manifold: two triangles at every edge,\n"
+      "one ring of them around every vertex (in the plane: closed outlines that touch nowhere).\n"
+      "Where the boundary of the solid part is none, as little volume of tetrahedra as a local\n"
+      "search finds is added or removed; no point is added or split, and singular simplices are\n"
+      "left out. What was done is said, listed by --json, and by --changes place for place.\n\n"
       "--alpha2 auto: 0 where weights are the radii of a molecule (the dual complex of its\n"
       "atoms); without weights the first alpha2 at which the shape is one solid piece with every\n"
       "point; else the first from which on it is one piece. Which was taken is said.\n\n"
       "Examples:\n"
       "  orthoball shape bunny.off -o surface.ply\n"
+      "  orthoball shape bunny.off --alpha 0.01 --manifold -o print.stl\n"
       "  orthoball shape 1ubq.pdb --alpha 1.4 -o ubiquitin.glb --roles\n"
       "  orthoball shape airports.csv --alpha2 auto -o outline.geojson");
   command->callback([options] { run(*options); });

@@ -13,6 +13,7 @@
 #include "orthoball/input/probe_radius.h"
 #include "orthoball/input/read.h"
 #include "orthoball/points/probe.h"
+#include "orthoball/points/subsample.h"
 #include "orthoball/points/weighted_points.h"
 // triangulation
 #include "orthoball/triangulation/build.h"
@@ -37,7 +38,9 @@
 #include "orthoball/signatures/notable_alphas.h"
 #include "orthoball/signatures/signature.h"
 // queries
+#include "orthoball/queries/alpha_candidates.h"
 #include "orthoball/queries/containment.h"
+#include "orthoball/queries/manifold_solid.h"
 #include "orthoball/queries/nearest.h"
 #include "orthoball/queries/planar_union.h"
 #include "orthoball/queries/pockets.h"
@@ -45,6 +48,7 @@
 #include "orthoball/queries/regions.h"
 #include "orthoball/queries/voids.h"
 // output
+#include "orthoball/output/alpha_table.h"
 #include "orthoball/output/ball_tables.h"
 #include "orthoball/output/byte_sink.h"
 #include "orthoball/output/encoded_output.h"
@@ -60,6 +64,7 @@
 #include "orthoball/output/shape_mesh.h"
 #include "orthoball/output/signature_plot.h"
 #include "orthoball/output/snapshot.h"
+#include "orthoball/output/solid_table.h"
 #include "orthoball/output/table_writer.h"
 #include "orthoball/output/tables.h"
 #include "orthoball/output/union_figure.h"

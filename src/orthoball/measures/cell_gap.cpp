@@ -13,29 +13,26 @@
 #include "orthoball/filtration/edge_ring.h"
 
 namespace orthoball {
-namespace {
-
-// The area of a parallelogram, or the volume of a parallelepiped.
-double size_of(const std::array<Sphere<2>, 3>& c) {
+double cell_volume(const std::array<Sphere<2>, 3>& c) {
   const double ax = c[1].x[0] - c[0].x[0], ay = c[1].x[1] - c[0].x[1];
   const double bx = c[2].x[0] - c[0].x[0], by = c[2].x[1] - c[0].x[1];
-  return std::abs(ax * by - ay * bx);
+  return std::abs(ax * by - ay * bx) / 2;
 }
-double size_of(const std::array<Sphere<3>, 4>& c) {
+
+double cell_volume(const std::array<Sphere<3>, 4>& c) {
   std::array<std::array<double, 3>, 3> d{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) d[i][axis] = c[i + 1].x[axis] - c[0].x[axis];
   }
   return std::abs(d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
                   d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
-                  d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]));
+                  d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0])) /
+         6;
 }
-
-}  // namespace
 
 CellGap<2> cell_gap(const std::array<Sphere<2>, 3>& corners, FacesInComplex faces) {
   CellGap<2> gap;
-  gap.volume = size_of(corners) / 2;
+  gap.volume = cell_volume(corners);
   for (std::size_t opposite = 0; opposite < 3; ++opposite) {
     const std::size_t i = (opposite + 1) % 3, j = (opposite + 2) % 3;
     gap.exposed[opposite] += corner_angle(corners[opposite], corners[i], corners[j]);
@@ -50,7 +47,7 @@ CellGap<2> cell_gap(const std::array<Sphere<2>, 3>& corners, FacesInComplex face
 
 CellGap<3> cell_gap(const std::array<Sphere<3>, 4>& corners, FacesInComplex faces) {
   CellGap<3> gap;
-  gap.volume = size_of(corners) / 6;
+  gap.volume = cell_volume(corners);
   for (std::uint32_t slot = 0; slot < 6; ++slot) {
     const std::array<std::size_t, 2> ends{kEdgeCorners[slot][0], kEdgeCorners[slot][1]};
     const std::array<std::size_t, 2> others{kEdgeCorners[5 - slot][0], kEdgeCorners[5 - slot][1]};

@@ -31,6 +31,10 @@ struct FacesInComplex {
 [[nodiscard]] CellGap<2> cell_gap(const std::array<Sphere<2>, 3>& corners, FacesInComplex faces);
 [[nodiscard]] CellGap<3> cell_gap(const std::array<Sphere<3>, 4>& corners, FacesInComplex faces);
 
+/// Area or volume of a cell.
+[[nodiscard]] double cell_volume(const std::array<Sphere<2>, 3>& corners);
+[[nodiscard]] double cell_volume(const std::array<Sphere<3>, 4>& corners);
+
 /// Length or area of the facet of a cell opposite a corner.
 [[nodiscard]] double facet_size(const std::array<Sphere<2>, 3>& corners, std::size_t opposite);
 [[nodiscard]] double facet_size(const std::array<Sphere<3>, 4>& corners, std::size_t opposite);

@@ -25,6 +25,11 @@ void for_singular(const Filtration<2>& filtration, int dimension, std::uint32_t 
   }
 }
 
+std::vector<Polygon> interior(const Filtration<2>& filtration, const PlanarShapeOptions& options) {
+  return options.solid != nullptr ? polygons(filtration, *options.solid)
+                                  : polygons(filtration, options.index);
+}
+
 // The members of a JSON array with commas between them: "[", one `write(member)` each, "]".
 template <class Members, class Write>
 void write_array(ByteSink& sink, const Members& members, const Write& write) {
@@ -160,7 +165,7 @@ class Picture {
 void write_geojson(ByteSink& sink, const Filtration<2>& filtration, const WeightedPoints& points,
                    const PlanarShapeOptions& options) {
   GeoJson json(sink, filtration.triangulation().sites(), points);
-  if (const auto parts = polygons(filtration, options.index); !parts.empty()) {
+  if (const auto parts = interior(filtration, options); !parts.empty()) {
     json.polygons(parts, options);
   }
   if (!options.regularized) {
@@ -188,7 +193,7 @@ void write_shape_svg(ByteSink& sink, const Filtration<2>& filtration, const Weig
   sink.text(
       "<path class=\"regular\" fill=\"#cfe3f5\" fill-rule=\"evenodd\" "
       "stroke=\"#1f5a94\" stroke-width=\"1.5\" d=\"");
-  for (const Polygon& polygon : polygons(filtration, options.index)) {
+  for (const Polygon& polygon : interior(filtration, options)) {
     for (const auto& ring : polygon.rings) {
       for (std::size_t i = 0; i < ring.size(); ++i) {
         sink.text(i == 0 ? "M" : "L");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/output/byte_sink.h"
@@ -15,6 +16,8 @@ struct PlanarShapeOptions {
   double alpha2 = 0.0;       ///< the number written beside the index; length^2
   bool regularized = false;  ///< without singular edges and vertices
   bool roles = false;        ///< SVG: singular edges and vertices in a colour of their own
+  /// [cell], by number among cells: the interior, where that is not the shape's own; or none.
+  const std::vector<bool>* solid = nullptr;
 };
 
 /// A plane shape as a GeoJSON FeatureCollection (RFC 7946): its interior as one MultiPolygon, every

@@ -20,5 +20,8 @@ struct Polygon {
 /// the sense of OGC Simple Features and RFC 7946 wherever parts or holes touch in vertices. Exact.
 /// Polygons come in the order of their first edges, rings and their starts likewise.
 [[nodiscard]] std::vector<Polygon> polygons(const Filtration<2>& filtration, std::uint32_t index);
+/// The same of any set of triangles. @param contains  [cell], by number among cells.
+[[nodiscard]] std::vector<Polygon> polygons(const Filtration<2>& filtration,
+                                            const std::vector<bool>& contains);
 
 }  // namespace orthoball

@@ -197,11 +197,37 @@ ShapeMesh shape_mesh(const Filtration<D>& filtration, const WeightedPoints& poin
   return mesh;
 }
 
+template <int D>
+ShapeMesh solid_mesh(const Filtration<D>& filtration, const WeightedPoints& points,
+                     std::uint32_t index, const std::vector<bool>& contains) {
+  ShapeMesh mesh;
+  mesh.dimension = D;
+  mesh.index = index;
+  const auto cells = filtration.triangulation().template cells<D>();
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    if (!contains[cell]) continue;
+    for (std::size_t corner = 0; corner <= D; ++corner) {
+      const std::uint32_t beyond = cells[cell].neighbours[corner];
+      if (beyond != kOutside && contains[beyond / 4]) continue;
+      if constexpr (D == 2) append<2>(mesh.edges, outward_facet<2>(cells[cell], corner));
+      if constexpr (D == 3) append<3>(mesh.triangles, outward_facet<3>(cells[cell], corner));
+    }
+  }
+  mesh.triangle_roles.assign(mesh.triangles.size(), Role::regular);
+  mesh.edge_roles.assign(mesh.edges.size(), Role::regular);
+  number_vertices(mesh, filtration.triangulation().sites(), points);
+  return mesh;
+}
+
 template std::array<VertexId, 2> outward_facet<2>(const CellRecord<2>&, std::size_t);
 template std::array<VertexId, 3> outward_facet<3>(const CellRecord<3>&, std::size_t);
 template std::array<VertexId, 2> outward_facet<2>(const Filtration<2>&, SimplexId, std::uint32_t);
 template std::array<VertexId, 3> outward_facet<3>(const Filtration<3>&, SimplexId, std::uint32_t);
 template ShapeMesh shape_mesh<2>(const Filtration<2>&, const WeightedPoints&, std::uint32_t, bool);
 template ShapeMesh shape_mesh<3>(const Filtration<3>&, const WeightedPoints&, std::uint32_t, bool);
+template ShapeMesh solid_mesh<2>(const Filtration<2>&, const WeightedPoints&, std::uint32_t,
+                                 const std::vector<bool>&);
+template ShapeMesh solid_mesh<3>(const Filtration<3>&, const WeightedPoints&, std::uint32_t,
+                                 const std::vector<bool>&);
 
 }  // namespace orthoball

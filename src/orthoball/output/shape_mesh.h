@@ -47,6 +47,19 @@ extern template ShapeMesh shape_mesh<2>(const Filtration<2>&, const WeightedPoin
 extern template ShapeMesh shape_mesh<3>(const Filtration<3>&, const WeightedPoints&, std::uint32_t,
                                         bool);
 
+/// The boundary of a set of cells, all of it regular. Vertices come in the order of their numbers,
+/// facets in that of the cells inside.
+/// @param points    what the filtration was made of.
+/// @param contains  [cell], by number among cells: the set.
+template <int D>
+[[nodiscard]] ShapeMesh solid_mesh(const Filtration<D>& filtration, const WeightedPoints& points,
+                                   std::uint32_t index, const std::vector<bool>& contains);
+
+extern template ShapeMesh solid_mesh<2>(const Filtration<2>&, const WeightedPoints&, std::uint32_t,
+                                        const std::vector<bool>&);  // defined in shape_mesh.cpp
+extern template ShapeMesh solid_mesh<3>(const Filtration<3>&, const WeightedPoints&, std::uint32_t,
+                                        const std::vector<bool>&);
+
 /// The facet of a cell opposite to corner `apex`, in the order that puts the cell on the left
 /// (D = 2) or makes it turn counterclockwise seen from outside the cell (D = 3). Exact.
 template <int D>

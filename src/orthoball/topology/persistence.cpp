@@ -21,38 +21,19 @@
 #include <span>
 #include <utility>
 
-#include "orthoball/filtration/edge_ring.h"
 #include "orthoball/filtration/face_vertices.h"
 #include "orthoball/radix_sort.h"
 #include "orthoball/raw_vector.h"
 #include "orthoball/topology/facet_roles.h"
+#include "orthoball/topology/keyed_simplices.h"
 #include "orthoball/topology/spanning_forest.h"
+#include "orthoball/topology/tunnel_reduction.h"
 #include "orthoball/topology/union_find.h"
 
 namespace orthoball {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
-// The simplices of one dimension, by number.
-class Simplices {
- public:
-  template <int D>
-  Simplices(const Filtration<D>& filtration, int dimension)
-      : first_(filtration.table().first(dimension)),
-        enters_(filtration.enters().subspan(first_, filtration.count(dimension))) {}
-
-  [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(enters_.size()); }
-  [[nodiscard]] std::uint32_t enters(std::uint32_t number) const { return enters_[number]; }
-  [[nodiscard]] std::uint64_t key(std::uint32_t number) const {
-    return std::uint64_t{enters_[number]} << 32U | number;
-  }
-  [[nodiscard]] SimplexId id(std::uint32_t number) const { return SimplexId(first_ + number); }
-
- private:
-  std::uint32_t first_;
-  std::span<const std::uint32_t> enters_;
-};
 
 template <int D>
 class Pairing {
@@ -108,7 +89,7 @@ class Pairing {
 // Of two components that an edge joins, the one whose first vertex comes later ends.
 template <int D>
 void Pairing<D>::pair_components() {
-  const Simplices vertices(filtration_, 0), edges(filtration_, 1);
+  const KeyedSimplices vertices(filtration_, 0), edges(filtration_, 1);
   if (vertices.count() == 0) return;
   joins_.assign(edges.count(), false);
   const auto ends = [&](std::uint32_t edge) {
@@ -116,7 +97,7 @@ void Pairing<D>::pair_components() {
   };
   struct Graph {
     const Filtration<D>& filtration;
-    const Simplices& edges;
+    const KeyedSimplices& edges;
     [[nodiscard]] std::uint32_t node_count() const {
       return static_cast<std::uint32_t>(filtration.count(0));
     }
@@ -164,7 +145,7 @@ void Pairing<D>::pair_cells() {
   const auto cells = filtration_.triangulation().template cells<A>();
   const SimplexTable<D>& table = filtration_.table();
   const auto owners = table.facet_owners();
-  const Simplices facets(filtration_, A - 1), tops(filtration_, A);
+  const KeyedSimplices facets(filtration_, A - 1), tops(filtration_, A);
   const auto outside = static_cast<std::uint32_t>(cells.size());
   cuts_.assign(facets.count(), false);
   const auto beyond = [&](std::uint32_t cell, std::uint32_t corner) {
@@ -233,130 +214,15 @@ void Pairing<D>::pair_cells() {
   }
 }
 
-// Triangles and their edges in space.
-class TriangleBoundaries {
- public:
-  explicit TriangleBoundaries(const Filtration<3>& filtration)
-      : owners_(filtration.table().facet_owners()),
-        edges_of_cells_(filtration.triangulation().cell_count()) {
-    const auto cells = filtration.triangulation().cells<3>();
-    const auto edge_owners = filtration.table().edge_owners();
-    for (std::uint32_t edge = 0; edge < edge_owners.size(); ++edge) {
-      const std::uint32_t owner = edge_owners[edge];
-      for_each_around_edge(cells, owner / 6, owner % 6, [&](std::uint32_t cell, unsigned slot) {
-        edges_of_cells_[cell][slot] = edge;
-      });
-    }
-  }
-  [[nodiscard]] std::array<std::uint32_t, 3> edges(std::uint32_t triangle) const {
-    // The slots of a facet's edges, by the corner left out.
-    constexpr std::array<std::array<std::uint8_t, 3>, 4> kSlots{
-        {{3, 4, 5}, {1, 2, 5}, {0, 2, 4}, {0, 1, 3}}};
-    const std::uint32_t owner = owners_[triangle];
-    const auto& edges = edges_of_cells_[owner / 4];
-    const auto& slots = kSlots[owner % 4];
-    return {edges[slots[0]], edges[slots[1]], edges[slots[2]]};
-  }
-
- private:
-  std::span<const std::uint32_t> owners_;
-  SimplexTable<3>::EdgesOfCells edges_of_cells_;
-};
-
-// A column of edges while it is reduced: a heap of keys, in which an edge that is there twice is
-// not there.
-class Column {
- public:
-  void clear() { keys_.clear(); }
-  void add(std::uint64_t key) {
-    keys_.push_back(key);
-    std::push_heap(keys_.begin(), keys_.end());
-  }
-  // Takes the last edge out; false if there is none.
-  bool take_last(std::uint64_t& key) {
-    while (!keys_.empty()) {
-      key = take();
-      if (keys_.empty() || keys_.front() != key) return true;
-      (void)take();
-    }
-    return false;
-  }
-
- private:
-  std::uint64_t take() {
-    std::pop_heap(keys_.begin(), keys_.end());
-    const std::uint64_t key = keys_.back();
-    keys_.pop_back();
-    return key;
-  }
-
-  std::vector<std::uint64_t> keys_;
-};
-
 // The triangles that cut fill nothing, and the edges that join close nothing: neither is needed.
 template <int D>
 void Pairing<D>::pair_tunnels() {
   if constexpr (D == 3) {
-    const Simplices edges(filtration_, 1), triangles(filtration_, 2);
-    const TriangleBoundaries boundaries(filtration_);
-    // [edge]: its first triangle; then the triangle that fills its loop, or kStored and the number
-    // of a column.
-    constexpr std::uint32_t kStored = std::uint32_t{1} << 31U;
-    RawVector<std::uint32_t> filled_by(edges.count());
-    std::fill(filled_by.begin(), filled_by.end(), kNone);
-    for (std::uint32_t t = 0; t < triangles.count(); ++t) {
-      for (const std::uint32_t edge : boundaries.edges(t)) {
-        std::uint32_t& first = filled_by[edge];
-        if (first == kNone || triangles.enters(t) < triangles.enters(first)) first = t;
-      }
-    }
-    std::vector<std::uint64_t> others;
-    std::vector<bool> is_apparent(edges.count());
-    for (std::uint32_t t = 0; t < triangles.count(); ++t) {
-      if (cuts_[t]) continue;
-      const auto [a, b, c] = boundaries.edges(t);
-      const std::uint64_t key = std::max({edges.key(a), edges.key(b), edges.key(c)});
-      const auto last = static_cast<std::uint32_t>(key);
-      if (filled_by[last] == t) {
-        is_apparent[last] = true;
-        add(1, edges.id(last), triangles.id(t));
-      } else {
-        others.push_back(triangles.key(t));
-      }
-    }
+    const KeyedSimplices edges(filtration_, 1), triangles(filtration_, 2);
+    const TunnelReduction reduction(filtration_, joins_, cuts_);
     for (std::uint32_t edge = 0; edge < edges.count(); ++edge) {
-      if (!is_apparent[edge]) filled_by[edge] = kNone;
-    }
-    std::sort(others.begin(), others.end());
-    std::vector<std::uint64_t> stored;  // all columns, without their last edges
-    std::vector<std::size_t> begins{0};
-    Column column;
-    for (const std::uint64_t key : others) {
-      const auto add_boundary = [&](std::uint32_t triangle, std::uint32_t without) {
-        for (const std::uint32_t edge : boundaries.edges(triangle)) {
-          if (edge != without && !joins_[edge]) column.add(edges.key(edge));
-        }
-      };
-      const auto triangle = static_cast<std::uint32_t>(key);
-      column.clear();
-      add_boundary(triangle, kNone);
-      std::uint64_t last = 0;
-      while (column.take_last(last)) {
-        const auto edge = static_cast<std::uint32_t>(last);
-        const std::uint32_t filling = filled_by[edge];
-        if (filling == kNone) break;
-        if (filling < kStored) {
-          add_boundary(filling, edge);
-        } else {
-          const std::size_t number = filling - kStored;
-          for (std::size_t i = begins[number]; i < begins[number + 1]; ++i) column.add(stored[i]);
-        }
-      }
-      const auto edge = static_cast<std::uint32_t>(last);
-      filled_by[edge] = kStored + static_cast<std::uint32_t>(begins.size() - 1);
-      add(1, edges.id(edge), triangles.id(triangle));
-      while (column.take_last(last)) stored.push_back(last);
-      begins.push_back(stored.size());
+      const std::uint32_t triangle = reduction.filled_by(edge);
+      if (triangle != TunnelReduction::kNone) add(1, edges.id(edge), triangles.id(triangle));
     }
   }
 }

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "orthoball/queries/first_manifold.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "orthoball/queries/star_parts.h"
+#include "orthoball/topology/keyed_simplices.h"
+
+namespace orthoball {
+
+template <int D>
+std::optional<std::uint32_t> first_manifold(const Filtration<D>& filtration, std::uint32_t from,
+                                            const std::vector<bool>& may_be) {
+  const KeyedSimplices cells(filtration, D);
+  const auto records = filtration.triangulation().template cells<D>();
+  if (records.empty()) return {};
+  std::vector<bool> solid(records.size());
+  std::vector<std::uint64_t> later;
+  for (std::uint32_t cell = 0; cell < records.size(); ++cell) {
+    solid[cell] = cells.enters(cell) <= from;
+    if (!solid[cell]) later.push_back(cells.key(cell));
+  }
+  std::sort(later.begin(), later.end());
+
+  StarParts<D> stars(filtration);
+  std::vector<bool> is_offending(filtration.count(0));
+  std::size_t offending = 0;
+  const auto look_at = [&](std::uint32_t vertex) {
+    stars.read(vertex, solid);
+    const bool is_now = stars.surplus() > 0;
+    if (is_now != is_offending[vertex]) is_now ? ++offending : --offending;
+    is_offending[vertex] = is_now;
+  };
+  for (std::uint32_t vertex = 0; vertex < is_offending.size(); ++vertex) look_at(vertex);
+
+  std::size_t next = 0;
+  for (std::uint32_t index = from; index <= filtration.spectrum_size(); ++index) {
+    const std::size_t first = next;
+    for (; next < later.size() && later[next] >> 32U <= index; ++next) {
+      solid[static_cast<std::uint32_t>(later[next])] = true;
+    }
+    for (std::size_t i = first; i < next; ++i) {
+      for (const std::uint32_t vertex : records[static_cast<std::uint32_t>(later[i])].corners) {
+        look_at(vertex);
+      }
+    }
+    if (offending == 0 && may_be[index]) return index;
+  }
+  return {};
+}
+
+template std::optional<std::uint32_t> first_manifold<2>(const Filtration<2>&, std::uint32_t,
+                                                        const std::vector<bool>&);
+template std::optional<std::uint32_t> first_manifold<3>(const Filtration<3>&, std::uint32_t,
+                                                        const std::vector<bool>&);
+
+}  // namespace orthoball
