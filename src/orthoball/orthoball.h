@@ -12,6 +12,8 @@
 // points, input
 #include "orthoball/input/probe_radius.h"
 #include "orthoball/input/read.h"
+#include "orthoball/points/density_weights.h"
+#include "orthoball/points/position_tree.h"
 #include "orthoball/points/probe.h"
 #include "orthoball/points/weighted_points.h"
 // triangulation
