@@ -119,6 +119,7 @@ format:
 docs: build
 	tools/cli_reference.py $(ORTHOBALL)
 	$(ORTHOBALL) signatures examples/data/linked_tori.csv -o /dev/null --plot docs/pictures/linked_tori.svg
+	$(ORTHOBALL) signatures examples/data/uneven_torus.csv --weights density:12 -o /dev/null --plot docs/pictures/uneven_torus.svg --plot-range -0.1,0.3
 	$(ORTHOBALL) figure examples/data/trees.csv --radius-column crown -o docs/pictures/trees.svg
 	./bootstrap test
 	$(NODE) tools/viewer_pictures.mjs $(ORTHOBALL)
