@@ -89,9 +89,10 @@ void add_commands(CLI::App& app) {
   app.set_help_flag("-h,--help", "print this and exit");
   app.get_formatter()->label("SUBCOMMAND", "COMMAND INPUT");
   app.get_formatter()->label("Subcommands", "Commands");
-  for (const auto add : {add_summary_command, add_signatures_command, add_shape_command,
-                         add_filter_command, add_measure_command, add_pockets_command,
-                         add_persistence_command, add_figure_command, add_view_command}) {
+  for (const auto add :
+       {add_summary_command, add_signatures_command, add_shape_command, add_filter_command,
+        add_measure_command, add_pockets_command, add_persistence_command, add_figure_command,
+        add_enforce_command, add_view_command}) {
     add(app);
   }
   for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command);

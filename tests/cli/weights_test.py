@@ -70,5 +70,80 @@ class FromDensity(InAFolder):
         self.assertIn("far.csv:2: row 0: the squared distances", said)
 
 
+PLANE = """x,y
+0,0
+4,0
+4,3
+0,3
+2,1.5
+7,9
+"""
+
+
+class Enforced(InAFolder):
+    def enforce(self, points, simplices, *options):
+        source = self.file("points.csv", points)
+        wanted = self.file("wanted.txt", simplices)
+        output = self.folder / "weighted.csv"
+        said = self.done("enforce", source, wanted, *options, "-o", output)
+        return said.stderr, output
+
+    def present(self, table, alpha2, *options):
+        """The simplices of the complex, by their rows."""
+        lines = self.done("filter", table, *options, "--alpha2", alpha2, "--quiet").stdout.splitlines()
+        return {tuple(map(int, line.split(",")[2].split())) for line in lines[1:]}
+
+    def test_what_is_written_is_read_back_exactly(self):
+        said, table = self.enforce(PLANE, "0 2\n", "--alpha2", "3")
+        self.assertRegex(said, r"1 simplex held at alpha2 3: \d of 6 weights changed, by [\d.]+ in total")
+        weighted = self.present(table, 3, "--weight-column", "weight")
+        self.assertIn((0, 2), weighted)
+        self.assertNotIn((0, 2), self.present(self.folder / "points.csv", 3))
+        again = self.folder / "again.csv"
+        said = self.done("enforce", table, self.folder / "wanted.txt", "--weight-column", "weight",
+                         "--alpha2", "3", "-o", again)
+        self.assertIn("0 of 6 weights changed, by 0 in total", said.stderr)
+        self.assertEqual(again.read_text(), table.read_text())
+
+    def test_radii_stay_the_weights_they_are(self):
+        balls = "x,y,r\n0,0,0.3\n4,0,0.1\n4,3,0.7\n0,3,0\n2,1.5,-0.2\n50,50,1.1\n"
+        said, table = self.enforce(balls, "0 2\n", "--alpha2", "3", "--radius-column", "r")
+        rows = [line.split(",") for line in table.read_text().splitlines()]
+        self.assertEqual(rows[0], ["x", "y", "weight"])
+        self.assertEqual(rows[6], ["50", "50", "1.21"])
+
+    def test_nothing_changes_where_all_is_there(self):
+        said, table = self.enforce(PLANE, "0 1 4\n", "--alpha2", "9")
+        self.assertIn("0 of 6 weights changed, by 0 in total", said)
+        self.assertEqual(table.read_text(), PLANE)
+
+    def test_excluding_simplices_are_named(self):
+        source = self.file("points.csv", PLANE)
+        wanted = self.file("wanted.txt", "# diagonals\n2 5\n0 2\n3 1\n")
+        said = self.refused(1, "enforce", source, wanted, "-o", self.folder / "no.csv")
+        self.assertEqual(said, f"orthoball: {wanted}:3: no weights hold these simplices together: "
+                               "line 3 (0 2), line 4 (1 3); leave out one of them\n")
+        self.assertFalse((self.folder / "no.csv").exists())
+
+    def test_simplices_are_checked_with_their_line(self):
+        source = self.file("points.csv", "x,y\n0,0\n1,1\n2,2\n5,1\n")
+        for text, message in [
+            ("0 1\n0 9\n", ":2: row 9 of 4; rows of the points are counted from 0"),
+            ("0 1 2 3\n", ":1: 4 corners; a simplex in the plane has 2 or 3"),
+            ("0 1\n# three\n0 1 2\n", ":3: its corners lie on one line; they must span it"),
+            ("2 2\n", ":1: row 2 twice; the corners of a simplex are different"),
+            ("", ": there is no simplex in it"),
+        ]:
+            wanted = self.file("wanted.txt", text)
+            said = self.refused(1, "enforce", source, wanted)
+            self.assertIn(f"orthoball: {wanted}{message}", said)
+        self.refused(1, "enforce", source, self.folder / "none.txt")
+        self.refused(2, "enforce", source)
+        wanted = self.file("wanted.txt", "0 1\n")
+        self.refused(2, "enforce", source, wanted, "--index", "3")
+        self.refused(2, "enforce", source, wanted, "-o", source)
+        self.refused(2, "enforce", source, wanted, "-o", wanted)
+
+
 if __name__ == "__main__":
     unittest.main()
