@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <set>
 #include <string>
-#include <variant>
+#include <utility>
+#include <vector>
 
 #include "cli/alpha_options.h"
 #include "cli/commands.h"
@@ -15,6 +18,7 @@
 #include "orthoball/error.h"
 #include "orthoball/input/simplex_rows.h"
 #include "orthoball/output/points_table.h"
+#include "orthoball/weights/added_sites.h"
 #include "orthoball/weights/enforced_weights.h"
 
 namespace {
@@ -24,6 +28,7 @@ struct EnforceOptions {
   AlphaOptions alpha;
   std::string simplices;
   std::string output = "-";
+  bool add_sites = false;
 };
 
 // "line 3 (0 5 7)"
@@ -33,27 +38,73 @@ std::string name_of(const orthoball::SimplexList& list, std::size_t simplex) {
   return fmt::format("line {} ({})", list.line[simplex], fmt::join(rows, " "));
 }
 
+// What the weights are to hold: the simplices as they are listed, or the parts that added sites
+// make of them.
+struct Wanted {
+  orthoball::AddedSites sites;
+  double alpha2;
+};
+
 orthoball::EnforcedWeights enforced(const EnforceOptions& options,
-                                    const orthoball::WeightedPoints& points,
-                                    const orthoball::SimplexList& list, double alpha2) {
+                                    const orthoball::SimplexList& list, const Wanted& wanted) {
+  const auto& [points, added, simplices, part_of] = wanted.sites;
   try {
-    return orthoball::enforced_weights(points, list.rows, alpha2, threads_of(options.input));
+    return orthoball::enforced_weights(points, simplices, wanted.alpha2, threads_of(options.input),
+                                       added);
   } catch (const orthoball::InputError& error) {
     const std::string message = error.what();  // "simplex 0: what is wrong"
-    throw orthoball::ParseError(options.simplices, list.line[error.row()],
+    throw orthoball::ParseError(options.simplices, list.line[part_of[error.row()]],
                                 message.substr(message.find(": ") + 2));
   }
 }
 
-void require_no_conflict(const EnforceOptions& options, const orthoball::SimplexList& list,
-                         const orthoball::EnforcedWeights& weights) {
-  if (weights.conflict.empty()) return;
+[[noreturn]] void refuse(const EnforceOptions& options, const orthoball::SimplexList& list,
+                         const std::vector<std::size_t>& conflict) {
   std::vector<std::string> names;
-  for (const std::size_t simplex : weights.conflict) names.push_back(name_of(list, simplex));
+  for (const std::size_t simplex : conflict) names.push_back(name_of(list, simplex));
   throw orthoball::ParseError(
-      options.simplices, list.line[weights.conflict[0]],
-      fmt::format("no weights hold {} together: {}; leave out one of them",
-                  names.size() == 1 ? "this simplex" : "these simplices", joined(names)));
+      options.simplices, list.line[conflict[0]],
+      fmt::format("no weights hold these simplices together: {}; leave out one of them, or "
+                  "--add-sites",
+                  joined(names)));
+}
+
+// "12 (0.5 1) on line 1 (0 2), line 3 (1 4)" for each added row.
+void say_added(const EnforceOptions& options, const orthoball::SimplexList& list,
+               const orthoball::AddedSites& sites) {
+  if (!options.add_sites) return;
+  say(options.input, fmt::format("{} added", orthoball::counted(sites.added, "site")));
+  for (std::size_t row = sites.points.size() - sites.added; row < sites.points.size(); ++row) {
+    std::set<std::size_t> on;
+    for (std::size_t part = 0; part < sites.simplices.size(); ++part) {
+      const auto& rows = sites.simplices[part];
+      const orthoball::SiteId id(static_cast<std::uint32_t>(row));
+      if (std::binary_search(rows.begin(), rows.end(), id)) on.insert(sites.part_of[part]);
+    }
+    std::vector<std::string> names;
+    for (const std::size_t simplex : on) names.push_back(name_of(list, simplex));
+    std::vector<std::string> place;
+    for (int axis = 0; axis < sites.points.dimension(); ++axis) {
+      place.push_back(number_text(sites.points.coordinate(row, axis)));
+    }
+    say(options.input, fmt::format("row {} ({}) on {}", row, fmt::join(place, " "), joined(names)));
+  }
+}
+
+void say_report(const EnforceOptions& options, const orthoball::SimplexList& list,
+                const Wanted& wanted, const orthoball::EnforcedWeights& weights) {
+  const std::size_t count = list.rows.size();
+  const std::size_t given = wanted.sites.points.size() - wanted.sites.added;
+  say(options.input,
+      fmt::format("{} held at alpha2 {}: {} of {} changed, by {} in total",
+                  count == 1 ? "1 simplex" : fmt::format("{} simplices", count),
+                  number_text(wanted.alpha2), weights.changed.size(),
+                  orthoball::counted(given, "weight"), number_text(weights.total_change)));
+  say_added(options, list, wanted.sites);
+  if (weights.hidden.empty()) return;
+  std::vector<std::uint32_t> rows;
+  for (const orthoball::SiteId row : weights.hidden) rows.push_back(row.row());
+  say(options.input, fmt::format("warning: these rows are hidden now: {}", fmt::join(rows, ", ")));
 }
 
 double alpha2_of(const EnforceOptions& options, const Loaded& input) {
@@ -83,23 +134,22 @@ void run(const EnforceOptions& options) {
   const orthoball::SimplexList list =
       orthoball::read_simplices(options.simplices, points.dimension(), points.size(),
                                 !options.input.no_limit, memory_of(options.input));
-  const double alpha2 = alpha2_of(options, input);
-  const orthoball::EnforcedWeights weights = enforced(options, points, list, alpha2);
-  require_no_conflict(options, list, weights);
+  Wanted wanted{{points, 0, list.rows, {}}, alpha2_of(options, input)};
+  for (std::size_t i = 0; i < list.rows.size(); ++i) wanted.sites.part_of.push_back(i);
+  orthoball::EnforcedWeights weights = enforced(options, list, wanted);
+  if (!weights.conflict.empty() && !options.add_sites) refuse(options, list, weights.conflict);
+  if (!weights.conflict.empty()) {
+    wanted.sites = orthoball::with_added_sites(points, list.rows);
+    weights = enforced(options, list, wanted);
+    if (!weights.conflict.empty()) {
+      throw orthoball::LimitError(options.simplices +
+                                  ": the added sites do not yet let weights hold "
+                                  "the simplices");
+    }
+  }
   write_output(options.output, "",
                [&](orthoball::ByteSink& sink) { write_points_csv(sink, weights.points); });
-  const std::size_t count = list.rows.size();
-  say(options.input,
-      fmt::format("{} held at alpha2 {}: {} of {} changed, by {} in total",
-                  count == 1 ? "1 simplex" : fmt::format("{} simplices", count),
-                  number_text(alpha2), weights.changed.size(),
-                  orthoball::counted(points.size(), "weight"), number_text(weights.total_change)));
-  if (!weights.hidden.empty()) {
-    std::vector<std::uint32_t> rows;
-    for (const orthoball::SiteId row : weights.hidden) rows.push_back(row.row());
-    say(options.input,
-        fmt::format("warning: these rows are hidden now: {}", fmt::join(rows, ", ")));
-  }
+  say_report(options, list, wanted, weights);
 }
 
 }  // namespace
@@ -121,6 +171,11 @@ void add_enforce_command(CLI::App& app) {
       ->type_name("FILE")
       ->capture_default_str()
       ->group("Output");
+  command
+      ->add_flag("--add-sites", options->add_sites,
+                 "where simplices exclude each other, add sites on them, as few as are found to\n"
+                 "do: the rows after those of INPUT; the parts between them are held")
+      ->group("Output");
   command->footer(
       "Writes INPUT as a table with a column of weights (of radii where the numbers are doubles "
       "and\n"
@@ -131,7 +186,9 @@ void add_enforce_command(CLI::App& app) {
       "is\n"
       "the least, most stay as they are, and coordinates do. Points whose weight falls may become\n"
       "hidden, and those inside a given simplex must.\n\n"
-      "Simplices that no weights hold together, such as edges that cross, are named (status 1).\n\n"
+      "Simplices that no weights hold together, such as edges that cross, are named (status 1), "
+      "unless\n"
+      "--add-sites cuts them where they meet.\n\n"
       "Examples:\n"
       "  orthoball enforce points.csv edges.txt --alpha2 0.04 -o weighted.csv\n"
       "  orthoball shape weighted.csv --weight-column weight --alpha2 0.04 -o shape.ply");

@@ -29,6 +29,7 @@
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/filtration/simplex_table.h"
 // weights
+#include "orthoball/weights/added_sites.h"
 #include "orthoball/weights/enforced_weights.h"
 #include "orthoball/weights/linear_program.h"
 #include "orthoball/weights/simplex_presence.h"

@@ -122,8 +122,25 @@ class Enforced(InAFolder):
         wanted = self.file("wanted.txt", "# diagonals\n2 5\n0 2\n3 1\n")
         said = self.refused(1, "enforce", source, wanted, "-o", self.folder / "no.csv")
         self.assertEqual(said, f"orthoball: {wanted}:3: no weights hold these simplices together: "
-                               "line 3 (0 2), line 4 (1 3); leave out one of them\n")
+                               "line 3 (0 2), line 4 (1 3); leave out one of them, or --add-sites\n")
         self.assertFalse((self.folder / "no.csv").exists())
+
+    def test_sites_are_added_where_simplices_meet(self):
+        said, table = self.enforce(PLANE, "0 2\n3 1\n5 2\n", "--alpha2", "3", "--add-sites")
+        self.assertIn("3 simplices held at alpha2 3: ", said)
+        self.assertIn("orthoball: 0 sites added\n", said)  # row 4 stands where the diagonals cross
+        weighted = self.present(table, 3, "--weight-column", "weight")
+        self.assertLessEqual({(0, 4), (2, 4), (1, 4), (3, 4), (2, 5)}, weighted)
+
+        moved = PLANE.replace("2,1.5", "3.5,1.5")
+        said, table = self.enforce(moved, "0 2\n3 1\n5 2\n", "--alpha2", "3", "--add-sites")
+        self.assertIn("orthoball: 1 site added\n"
+                      "orthoball: row 6 (2 1.5) on line 1 (0 2), line 2 (1 3)\n", said)
+        rows = table.read_text().splitlines()
+        self.assertEqual(len(rows), 8)
+        self.assertTrue(rows[7].startswith("2,1.5,"))
+        weighted = self.present(table, 3, "--weight-column", "weight")
+        self.assertLessEqual({(0, 6), (2, 6), (1, 6), (3, 6), (2, 5)}, weighted)
 
     def test_simplices_are_checked_with_their_line(self):
         source = self.file("points.csv", "x,y\n0,0\n1,1\n2,2\n5,1\n")

@@ -6,7 +6,9 @@
 
 #include "generators/cases.h"
 #include "generators/random.h"
+#include "orthoball/error.h"
 #include "orthoball/triangulation/build.h"
+#include "orthoball/weights/added_sites.h"
 #include "orthoball/weights/enforced_weights.h"
 #include "orthoball/weights/linear_program.h"
 #include "orthoball/weights/simplex_presence.h"
@@ -104,6 +106,57 @@ TEST(EnforcedWeights, HoldWhatSomeWeightsHold) {
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     expect_granted<2>(seed);
     expect_granted<3>(seed);
+  }
+}
+
+// Random edges, in space triangles too, of few points; most exclude each other: what is named does,
+// but for any one left out; what is left can be held; and added sites free all of them.
+template <int D>
+void expect_fewest_named_and_freed(std::uint64_t seed) {
+  SCOPED_TRACE(testing::Message() << "dimension " << D << ", seed " << seed);
+  Random random(seed);
+  const WeightedPoints points = random_points(random, D, 10);
+  const Filtration<D> filtration(regular_triangulation<D>(points));
+  std::vector<SimplexRows> simplices;
+  while (simplices.size() < (D == 2 ? 6U : 4U)) {
+    SimplexRows rows;
+    const int corners = D == 2 ? 2 : random.integer(2, 3);
+    while (static_cast<int>(rows.size()) < corners) {
+      const SiteId row(static_cast<std::uint32_t>(random.integer(0, 9)));
+      if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+    }
+    std::sort(rows.begin(), rows.end());
+    try {
+      (void)enforced_weights(points, std::vector<SimplexRows>{rows}, 1.0);
+      simplices.push_back(rows);
+    } catch (const InputError&) {  // of corners on one line
+    }
+  }
+  const double alpha2 = 1.0;
+  const auto conflict = enforced_weights(points, simplices, alpha2).conflict;
+  for (const std::size_t left_out : conflict) {
+    std::vector<SimplexRows> others;
+    for (const std::size_t i : conflict) {
+      if (i != left_out) others.push_back(simplices[i]);
+    }
+    EXPECT_TRUE(others.empty() || enforced_weights(points, others, alpha2).conflict.empty());
+  }
+  const AddedSites sites = with_added_sites(points, simplices);
+  EXPECT_TRUE(!conflict.empty() || sites.added == 0);
+  const EnforcedWeights weights =
+      enforced_weights(sites.points, sites.simplices, alpha2, Threads(1), sites.added);
+  EXPECT_TRUE(weights.conflict.empty());
+  const Wish wish{points, sites.simplices, alpha2};
+  const auto are_there = present<D>(wish, weights.points);
+  EXPECT_EQ(std::count(are_there.begin(), are_there.end(), false), 0);
+}
+
+TEST(EnforcedWeights, NameTheFewestThatExcludeEachOtherAndSitesFreeThem) {
+  if (!has_linear_solver()) GTEST_SKIP() << "built without CLP";
+  const std::uint64_t seeds = generators::is_long_run() ? 500 : 15;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    expect_fewest_named_and_freed<2>(seed);
+    expect_fewest_named_and_freed<3>(seed);
   }
 }
 
