@@ -119,7 +119,12 @@ format:
 docs: build
 	tools/cli_reference.py $(ORTHOBALL)
 	$(ORTHOBALL) signatures examples/data/linked_tori.csv -o /dev/null --plot docs/pictures/linked_tori.svg
+	$(ORTHOBALL) signatures examples/data/uneven_torus.csv --weights density:12 -o /dev/null --plot docs/pictures/uneven_torus.svg --plot-range -0.1,0.3
 	$(ORTHOBALL) figure examples/data/trees.csv --radius-column crown -o docs/pictures/trees.svg
+	mkdir -p out
+	printf '14 5\n5 9\n' > out/hedge.txt
+	$(ORTHOBALL) enforce examples/data/trees.csv out/hedge.txt --columns x,y --alpha2 25 -o out/hedge.csv
+	$(ORTHOBALL) figure out/hedge.csv --weight-column weight --alpha2 25 --panels complex -o docs/pictures/hedge.svg
 	./bootstrap test
 	$(NODE) tools/viewer_pictures.mjs $(ORTHOBALL)
 

@@ -10,6 +10,7 @@ void add_signatures_command(CLI::App& app);
 void add_shape_command(CLI::App& app);
 void add_persistence_command(CLI::App& app);
 void add_alpha_command(CLI::App& app);
+void add_enforce_command(CLI::App& app);
 void add_figure_command(CLI::App& app);
 void add_filter_command(CLI::App& app);
 void add_measure_command(CLI::App& app);

@@ -23,6 +23,7 @@
 #include "orthoball/error.h"
 #include "orthoball/input/atom_radii.h"
 #include "orthoball/input/decimal.h"
+#include "orthoball/points/density_weights.h"
 
 namespace {
 
@@ -68,6 +69,37 @@ void add_table_options(CLI::App& command, InputOptions& options) {
       ->type_name("COLUMN")
       ->excludes(radius)
       ->group(group);
+}
+
+// "density:K", K a whole number from 1, as K.
+const CLI::Validator kAsDensity(
+    [](std::string& text) -> std::string {
+      constexpr std::string_view kName = "density:";
+      const std::string neighbours = text.starts_with(kName) ? text.substr(kName.size()) : "";
+      const CLI::Validator number = whole_number(1, std::numeric_limits<std::uint32_t>::max());
+      std::string copy = neighbours;
+      if (!number(copy).empty()) {
+        return "\"" + text.substr(0, 40) +
+               "\" is no way to make weights; density:K is, K neighbours from 1, such as density:8";
+      }
+      text = neighbours;
+      return {};
+    },
+    "");
+
+void add_weight_options(CLI::App& command, InputOptions& options) {
+  auto* const weights =
+      command
+          .add_option("--weights", options.density_neighbours,
+                      "density:K: weights from the density of the sites instead of those of\n"
+                      "INPUT: half the mean square distance to the K nearest others, so that\n"
+                      "one alpha2, 0 at first, serves sparse and dense parts")
+          ->type_name("density:K")
+          ->transform(kAsDensity)
+          ->group("Input");
+  for (const char* const other : {"--radius-column", "--weight-column", "--radii"}) {
+    weights->excludes(command.get_option(other));
+  }
 }
 
 void add_molecule_options(CLI::App& command, InputOptions& options) {
@@ -130,6 +162,27 @@ const CLI::Validator kAsBytes(
       return {};
     },
     "");
+
+// With the weights of --weights, if it was given.
+orthoball::Reading weighted(orthoball::Reading reading, const InputOptions& options) {
+  if (!options.density_neighbours) return reading;
+  const std::size_t neighbours = *options.density_neighbours;
+  require_memory(
+      options, orthoball::density_weights_memory(reading.points.dimension(), reading.points.size()),
+      "the weights from density");
+  try {
+    reading.points =
+        orthoball::with_density_weights(reading.points, neighbours, threads_of(options));
+  } catch (const orthoball::InputError& error) {
+    const auto& lines = reading.labels.line;
+    const std::size_t line = error.row() < lines.size() ? lines[error.row()] : 0;
+    throw orthoball::ParseError(reading.file, line, error.what());
+  }
+  reading.radii =
+      fmt::format("density, half the mean square distance to the {} nearest", neighbours);
+  reading.is_molecule = false;
+  return reading;
+}
 
 // What `work` gives; says at what the memory ran out.
 template <class Work>
@@ -197,6 +250,7 @@ void add_input_options(CLI::App& command, InputOptions& options) {
       ->group(group);
   add_table_options(command, options);
   add_molecule_options(command, options);
+  add_weight_options(command, options);
   command.add_flag("--quiet", options.quiet, "no notes, warnings or progress on standard error")
       ->group("Messages");
   command
@@ -223,8 +277,9 @@ orthoball::Reading read_input(const InputOptions& options, Progress& progress, b
 
   progress.expect_file(options.path);
   progress.begin(Stage::reading);
-  orthoball::Reading reading =
-      within_memory(options.path, progress, [&] { return orthoball::read(options.path, read); });
+  orthoball::Reading reading = within_memory(options.path, progress, [&] {
+    return weighted(orthoball::read(options.path, read), options);
+  });
   progress.end();
   progress.expect_sites(reading.points.size(), reading.points.dimension());
   if (says_notes) {

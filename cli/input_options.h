@@ -19,6 +19,8 @@ struct InputOptions {
   std::optional<unsigned> threads;            // an upper bound; none: one for each core
   std::optional<std::uint64_t> memory_limit;  // bytes; none: what the system has
 
+  std::optional<std::uint32_t> density_neighbours;  // of --weights density:K; none: as read
+
   // As typed, made into `read` by load().
   std::string columns, chains, default_radius, hydrogens = "keep", ligands = "keep",
                                                waters = "drop";

@@ -92,7 +92,7 @@ void add_commands(CLI::App& app) {
   for (const auto add :
        {add_summary_command, add_signatures_command, add_shape_command, add_filter_command,
         add_measure_command, add_pockets_command, add_persistence_command, add_alpha_command,
-        add_figure_command, add_view_command}) {
+        add_figure_command, add_enforce_command, add_view_command}) {
     add(app);
   }
   for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command);

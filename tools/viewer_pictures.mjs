@@ -27,15 +27,32 @@ const kPictures = [
     hash: '#colour=component',
     zoom: 1.08,
   },
+  {
+    name: 'viewer_uneven_torus',
+    input: 'uneven_torus.csv',
+    options: ['--alpha2', '0.0169025'],
+    theme: 'light',
+    hash: '#colour=role',
+    zoom: 0.72,
+  },
+  {
+    name: 'viewer_uneven_torus_weighted',
+    input: 'uneven_torus.csv',
+    options: ['--weights', 'density:12', '--alpha2', '0'],
+    theme: 'light',
+    hash: '#colour=role',
+    zoom: 0.72,
+  },
 ];
 
 const [program] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), 'orthoball-'));
 const browser = await launched();
 try {
-  for (const { name, input, theme, hash, zoom } of kPictures) {
+  for (const { name, input, options = [], theme, hash, zoom } of kPictures) {
     const file = join(folder, `${name}.html`);
-    execFileSync(program, ['view', join(kRoot, 'examples/data', input), '-o', file, '--quiet']);
+    const data = join(kRoot, 'examples/data', input);
+    execFileSync(program, ['view', data, ...options, '-o', file, '--quiet']);
     const page = await browser.newPage({
       viewport: { width: 1280, height: 800 },
       colorScheme: theme,

@@ -188,6 +188,27 @@ def linked_tori():
     return lines
 
 
+def uneven_torus():
+    """A torus R = 2 whose tube is 0.65 thick on one side and 0.15 on the other, in rings of evenly spaced
+    points; on the thick side there are ten times fewer for the same area."""
+    big, middle, sway = Decimal(2), Decimal("0.4"), Decimal("0.25")
+    lines = ["x,y,z"]
+    number = 0
+    for first, spacing in ((-PI / 2, Decimal("0.08") * Decimal(10).sqrt()), (PI / 2, Decimal("0.08"))):
+        rings = round(PI * big / spacing)
+        for ring in range(rings):
+            u = first + PI * (2 * ring + 1) / (2 * rings)
+            small = middle + sway * cosine(u)
+            count = round(2 * PI * small / spacing)
+            for i in range(count):
+                v = PI * (2 * i + number % 2) / count  # every second ring between the points of the first
+                rho = big + small * cosine(v)
+                place = (rho * cosine(u), rho * sine(u), small * sine(v))
+                lines.append(",".join(fixed(c, 3) for c in place))
+            number += 1
+    return lines
+
+
 def figure_eight():
     """800 points of the plane in two rings of mean radius 1 that share the origin."""
     lines = ["x,y"]
@@ -218,6 +239,7 @@ SAMPLES = {
     "bdna_dodecamer.pdb": lambda: bdna("CGCGAATTCGCG"),
     "c60.xyz": c60,
     "linked_tori.csv": linked_tori,
+    "uneven_torus.csv": uneven_torus,
     "figure_eight.csv": figure_eight,
     "trees.csv": trees,
     "two_balls.xyzr": lambda: ["0 0 0 1", "3 0 0 1"],

@@ -12,6 +12,9 @@
 // points, input
 #include "orthoball/input/probe_radius.h"
 #include "orthoball/input/read.h"
+#include "orthoball/input/simplex_rows.h"
+#include "orthoball/points/density_weights.h"
+#include "orthoball/points/position_tree.h"
 #include "orthoball/points/probe.h"
 #include "orthoball/points/subsample.h"
 #include "orthoball/points/weighted_points.h"
@@ -26,6 +29,11 @@
 #include "orthoball/filtration/filter.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/filtration/simplex_table.h"
+// weights
+#include "orthoball/weights/added_sites.h"
+#include "orthoball/weights/enforced_weights.h"
+#include "orthoball/weights/linear_program.h"
+#include "orthoball/weights/simplex_presence.h"
 // topology, measures
 #include "orthoball/measures/ball_overlaps.h"
 #include "orthoball/measures/complex_measures.h"
@@ -57,6 +65,7 @@
 #include "orthoball/output/persistence_plot.h"
 #include "orthoball/output/persistence_table.h"
 #include "orthoball/output/planar_shape.h"
+#include "orthoball/output/points_table.h"
 #include "orthoball/output/power_cell_files.h"
 #include "orthoball/output/region_mesh.h"
 #include "orthoball/output/region_tables.h"

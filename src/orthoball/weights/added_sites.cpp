@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: MIT
+//
+// One step: of simplices that exclude each other (conflicting_simplices) take a point that two of
+// them share and that is a corner of at most one of them: a corner of one on another, otherwise the
+// point where an edge of one passes through a face of another. Every simplex on which it lies, of
+// all that are wanted, is cut there: if it lies inside the face F, each corner of F in turn gives
+// its place to it. In general position, simplices whose edges and faces meet in common faces only
+// can still exclude each other in a ring; then one is cut in the middle of an edge, the longest
+// that breaks the ring.
+//
+// Cheng, Dey, Shewchuk. Delaunay mesh generation. CRC Press (2012): protecting balls.
+#include "orthoball/weights/added_sites.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "orthoball/error.h"
+#include "orthoball/weights/conflicting_simplices.h"
+#include "orthoball/weights/reweighted_points.h"
+
+namespace orthoball {
+namespace {
+
+constexpr double kFine = 1e-8;    // of the smallest simplex: where sites are put
+constexpr double kOn = 1e-6;      // of a simplex: what counts as on it
+constexpr std::size_t kMost = 6;  // sites a simplex
+
+template <int D>
+using Vector = std::array<double, std::size_t{D}>;
+
+template <int D>
+Vector<D> difference(Vector<D> a, const Vector<D>& b) {
+  for (std::size_t axis = 0; axis < D; ++axis) a[axis] -= b[axis];
+  return a;
+}
+
+template <int D>
+double dot(const Vector<D>& a, const Vector<D>& b) {
+  double sum = 0.0;
+  for (std::size_t axis = 0; axis < D; ++axis) sum += a[axis] * b[axis];
+  return sum;
+}
+
+// The factors with which the directions, up to three, sum up to `to`; empty where they do not, or
+// are not independent.
+template <int D>
+std::optional<std::vector<double>> factors(const std::vector<Vector<D>>& directions,
+                                           const Vector<D>& to) {
+  const std::size_t count = directions.size();
+  std::vector<std::vector<double>> rows(count, std::vector<double>(count + 1));
+  double size = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j) rows[i][j] = dot<D>(directions[i], directions[j]);
+    rows[i][count] = dot<D>(directions[i], to);
+    size = std::max(size, rows[i][i]);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t pivot = i;
+    for (std::size_t j = i; j < count; ++j) {
+      if (std::abs(rows[j][i]) > std::abs(rows[pivot][i])) pivot = j;
+    }
+    std::swap(rows[i], rows[pivot]);
+    if (std::abs(rows[i][i]) <= 1e-12 * size) return std::nullopt;
+    for (std::size_t j = 0; j < count; ++j) {
+      if (j == i) continue;
+      const double factor = rows[j][i] / rows[i][i];
+      for (std::size_t k = i; k <= count; ++k) rows[j][k] -= factor * rows[i][k];
+    }
+  }
+  std::vector<double> result;
+  Vector<D> rest = to;
+  for (std::size_t i = 0; i < count; ++i) {
+    result.push_back(rows[i][count] / rows[i][i]);
+    for (std::size_t axis = 0; axis < D; ++axis) rest[axis] -= result[i] * directions[i][axis];
+  }
+  if (dot<D>(rest, rest) > kOn * kOn * size) return std::nullopt;
+  return result;
+}
+
+// Points, simplices of them, and how they are cut.
+template <int D>
+class Cutting {
+ public:
+  Cutting(const WeightedPoints& points, std::span<const SimplexRows> simplices)
+      : points_(points), given_(points.size()) {
+    const std::vector<SiteId> rows = heaviest_rows();
+    for (std::size_t i = 0; i < simplices.size(); ++i) {
+      SimplexRows part;
+      for (const SiteId row : simplices[i]) part.push_back(rows[row.row()]);
+      std::sort(part.begin(), part.end());
+      parts_.push_back(std::move(part));
+      part_of_.push_back(i);
+    }
+    for (const SimplexRows& simplex : simplices) {
+      for (const SiteId row : simplex) {
+        if (row != simplex[0]) least_ = std::min(least_, square(row, simplex[0]));
+      }
+    }
+    if (!simplices.empty()) {
+      points_ = with_more_rows(points, decimals_for(points, kFine * kFine * least_), {});
+      const double finer =
+          std::pow(10.0, points_.decimals().value_or(0) - points.decimals().value_or(0));
+      least_ *= finer * finer;
+    }
+  }
+
+  AddedSites result() {
+    const std::size_t most = kMost * parts_.size();
+    while (true) {
+      const std::vector<SimplexRows> conflict = conflicting();
+      if (conflict.empty()) break;
+      if (const auto corner = corner_on_another(conflict)) {
+        cut_at(*corner);
+        continue;
+      }
+      if (points_.size() - given_ == most) {
+        throw LimitError(std::to_string(most) +
+                         " added sites do not yet let weights hold the simplices");
+      }
+      const auto crossing = edge_through_another(conflict);
+      add(crossing ? *crossing : middle_of_an_edge(conflict));
+    }
+    return {points_, points_.size() - given_, parts_, part_of_};
+  }
+
+ private:
+  [[nodiscard]] Vector<D> at(SiteId row) const {
+    Vector<D> x;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      x[axis] = points_.coordinates()[std::size_t{D} * row.row() + axis];
+    }
+    return x;
+  }
+  // [row]: the first row with the largest weight at its position. Of others at one position all but
+  // one would have to be hidden.
+  [[nodiscard]] std::vector<SiteId> heaviest_rows() const {
+    const DistinctSites<D> sites(points_);
+    std::vector<SiteId> row_of_site(sites.x.size());
+    for (std::size_t row = points_.size(); row-- > 0;) {
+      row_of_site[sites.site_of_row[row]] = SiteId(static_cast<std::uint32_t>(row));
+    }
+    std::vector<SiteId> rows;
+    for (std::size_t site : sites.site_of_row) {
+      while (site + 1 < sites.x.size() && sites.x[site + 1] == sites.x[site]) ++site;
+      rows.push_back(row_of_site[site]);
+    }
+    return rows;
+  }
+  [[nodiscard]] double square(SiteId a, SiteId b) const {
+    const Vector<D> along = difference<D>(at(a), at(b));
+    return dot<D>(along, along);
+  }
+
+  // Some parts that exclude each other, in an order that does not depend on that of rows.
+  [[nodiscard]] std::vector<SimplexRows> conflicting() const {
+    const DistinctSites<D> sites(points_);
+    std::vector<SiteTuple> tuples;
+    for (const SimplexRows& part : parts_) {
+      SiteTuple corners;
+      for (const SiteId row : part) corners.push_back(sites.site_of_row[row.row()]);
+      std::sort(corners.begin(), corners.end());
+      tuples.push_back(std::move(corners));
+    }
+    std::vector<std::size_t> numbers = conflicting_simplices<D>(sites, tuples);
+    std::sort(numbers.begin(), numbers.end(),
+              [&](std::size_t a, std::size_t b) { return tuples[a] < tuples[b]; });
+    std::vector<SimplexRows> conflict;
+    for (const std::size_t number : numbers) conflict.push_back(parts_[number]);
+    return conflict;
+  }
+
+  // The corners of the face of a simplex inside which a point lies; empty where it is not on it, or
+  // at a corner.
+  [[nodiscard]] SimplexRows face_around(const SimplexRows& simplex, const Vector<D>& x) const {
+    std::vector<Vector<D>> directions;
+    for (const SiteId row : simplex) {
+      if (row != simplex[0]) directions.push_back(difference<D>(at(row), at(simplex[0])));
+    }
+    const auto found = factors<D>(directions, difference<D>(x, at(simplex[0])));
+    if (!found) return {};
+    std::vector<double> shares{1.0};
+    for (const double factor : *found) {
+      shares.push_back(factor);
+      shares[0] -= factor;
+    }
+    SimplexRows face;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      if (shares[i] < -kOn) return {};
+      if (shares[i] > kOn) face.push_back(simplex[i]);
+    }
+    return face.size() < 2 ? SimplexRows() : face;
+  }
+
+  [[nodiscard]] std::optional<SiteId> corner_on_another(
+      const std::vector<SimplexRows>& conflict) const {
+    for (const SimplexRows& one : conflict) {
+      for (const SiteId corner : one) {
+        for (const SimplexRows& other : conflict) {
+          if (!face_around(other, at(corner)).empty()) return corner;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  // Where an edge of one meets an edge or triangle of another, inside of both.
+  [[nodiscard]] std::optional<Vector<D>> edge_through_another(
+      const std::vector<SimplexRows>& conflict) const {
+    for (const SimplexRows& one : conflict) {
+      for (std::size_t i = 0; i < one.size(); ++i) {
+        for (std::size_t j = i + 1; j < one.size(); ++j) {
+          for (const SimplexRows& other : conflict) {
+            if (auto x = crossing(at(one[i]), at(one[j]), other)) return x;
+          }
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  // Where the edge from a to b passes through a face of at most D corners.
+  [[nodiscard]] std::optional<Vector<D>> crossing(const Vector<D>& a, const Vector<D>& b,
+                                                  const SimplexRows& simplex) const {
+    for (unsigned chosen = 1; chosen < 1U << simplex.size(); ++chosen) {
+      SimplexRows face;
+      for (std::size_t i = 0; i < simplex.size(); ++i) {
+        if ((chosen >> i & 1U) != 0) face.push_back(simplex[i]);
+      }
+      if (face.size() < 2 || face.size() > D) continue;
+      std::vector<Vector<D>> directions{difference<D>(a, b)};
+      for (const SiteId row : face) {
+        if (row != face[0]) directions.push_back(difference<D>(at(row), at(face[0])));
+      }
+      const auto found = factors<D>(directions, difference<D>(a, at(face[0])));
+      if (!found || (*found)[0] < kOn || (*found)[0] > 1.0 - kOn) continue;
+      Vector<D> x = a;
+      for (std::size_t axis = 0; axis < D; ++axis) x[axis] += (*found)[0] * (b[axis] - a[axis]);
+      if (face_around(face, x).size() == face.size()) return x;
+    }
+    return std::nullopt;
+  }
+
+  // The middle of the longest edge that, cut there, frees these simplices from each other; of the
+  // longest of all where none does.
+  [[nodiscard]] Vector<D> middle_of_an_edge(const std::vector<SimplexRows>& conflict) const {
+    std::vector<std::pair<double, Vector<D>>> middles;  // with the length squared
+    for (const SimplexRows& simplex : conflict) {
+      for (std::size_t i = 0; i < simplex.size(); ++i) {
+        for (std::size_t j = i + 1; j < simplex.size(); ++j) {
+          Vector<D> middle = at(simplex[i]);
+          for (double& x : middle) x /= 2;
+          for (std::size_t axis = 0; axis < D; ++axis) middle[axis] += at(simplex[j])[axis] / 2;
+          middles.emplace_back(square(simplex[i], simplex[j]), middle);
+        }
+      }
+    }
+    std::sort(middles.rbegin(), middles.rend());
+    for (const auto& [length, middle] : middles) {
+      Cutting trial = *this;
+      trial.parts_ = conflict;
+      trial.part_of_.assign(conflict.size(), 0);
+      trial.add(middle);
+      if (trial.conflicting().empty()) return middle;
+    }
+    return middles[0].second;
+  }
+
+  // Adds a site and cuts what it lies on; takes one that is there already instead.
+  void add(const Vector<D>& x) {
+    for (std::uint32_t row = 0; row < points_.size(); ++row) {
+      const Vector<D> away = difference<D>(at(SiteId(row)), x);
+      if (dot<D>(away, away) <= kOn * kOn * least_) return cut_at(SiteId(row));
+    }
+    std::array<double, 3> position{};
+    std::copy(x.begin(), x.end(), position.begin());
+    points_ = with_more_rows(points_, 0, {&position, 1});
+    cut_at(SiteId(static_cast<std::uint32_t>(points_.size() - 1)));
+  }
+
+  // Cuts all parts on which a row lies.
+  void cut_at(SiteId row) {
+    std::vector<SimplexRows> parts;
+    std::vector<std::size_t> part_of;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const SimplexRows face = face_around(parts_[i], at(row));
+      if (face.empty()) {
+        parts.push_back(parts_[i]);
+        part_of.push_back(part_of_[i]);
+      }
+      for (const SiteId corner : face) {
+        SimplexRows part = parts_[i];
+        std::replace(part.begin(), part.end(), corner, row);
+        std::sort(part.begin(), part.end());
+        parts.push_back(std::move(part));
+        part_of.push_back(part_of_[i]);
+      }
+    }
+    if (parts.size() == parts_.size()) {
+      throw LimitError("simplices that exclude each other meet too near to a site to be cut there");
+    }
+    parts_ = std::move(parts);
+    part_of_ = std::move(part_of);
+  }
+
+  WeightedPoints points_;
+  std::size_t given_;
+  double least_ = std::numeric_limits<double>::infinity();  // squared length of an edge
+  std::vector<SimplexRows> parts_;
+  std::vector<std::size_t> part_of_;
+};
+
+}  // namespace
+
+AddedSites with_added_sites(const WeightedPoints& points, std::span<const SimplexRows> simplices) {
+  return points.dimension() == 2 ? Cutting<2>(points, simplices).result()
+                                 : Cutting<3>(points, simplices).result();
+}
+
+}  // namespace orthoball

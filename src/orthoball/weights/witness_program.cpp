@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+//
+// A simplex is in the alpha complex if and only if there is a point x at which its corners v have
+// one power p <= alpha2 and no other site u has less. With q = |x|^2 - p in the place of p
+//
+//     |v|^2 - w_v - 2 x.v + q  = 0        for its corners,
+//     |u|^2 - w_u - 2 x.u + q >= margin   for the others,
+//     |x|^2 - q <= alpha2 - margin,
+//
+// all linear in x, q and the weights w but the last, which is convex: it is replaced by its
+// tangents at points where a solution violated it, as many as it takes. Of the conditions on
+// others, too, only those enter that a solution violated; all sites are looked at for that, so a
+// solution that violates none is one of all conditions. Where these few contradict each other, all
+// do. Sites without a condition keep their weights.
+//
+// Each change of a weight is the difference of two variables that are not negative, and the cost is
+// their sum: the total change. Its least value is found at a corner of the polytope of solutions,
+// where few weights change. Lengths are in units of the simplex's diameter, from one of its
+// corners.
+#include "orthoball/weights/witness_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "orthoball/error.h"
+
+namespace orthoball {
+namespace {
+
+constexpr int kMostRounds = 2000;       // of adding what is violated
+constexpr std::size_t kMostOthers = 6;  // conditions added for a simplex in one round
+constexpr double kNoChange = 1e-9;      // of a weight, in the unit of the program squared
+
+template <int D>
+double dot(const std::array<double, std::size_t{D}>& a,
+           const std::array<double, std::size_t{D}>& b) {
+  double sum = 0.0;
+  for (std::size_t axis = 0; axis < D; ++axis) sum += a[axis] * b[axis];
+  return sum;
+}
+
+}  // namespace
+
+template <int D>
+WitnessProgram<D>::WitnessProgram(const DistinctSites<D>& sites, const WitnessOptions& options)
+    : sites_(sites), options_(options) {}
+
+template <int D>
+auto WitnessProgram<D>::in_frame(const Witness& witness, std::uint32_t site) const -> Vector {
+  Vector y;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    y[axis] = (sites_.x[site][axis] - witness.origin[axis]) / witness.diameter;
+  }
+  return y;
+}
+
+template <int D>
+auto WitnessProgram<D>::change_of(std::uint32_t site) -> Change {
+  const auto found = changes_.find(site);
+  if (found != changes_.end()) return found->second;
+  const bool is_free = options_.is_free != nullptr ? (*options_.is_free)[site] : !options_.alpha2;
+  const double cost = is_free ? 0.0 : 1.0;
+  const std::size_t plus = program_.add_variable(0.0, cost);
+  const Change change{plus, program_.add_variable(0.0, cost)};
+  changes_.emplace(site, change);
+  return change;
+}
+
+template <int D>
+double WitnessProgram<D>::change(std::uint32_t site) const {
+  const auto found = changes_.find(site);
+  if (found == changes_.end()) return 0.0;
+  const double change = program_.value(found->second.plus) - program_.value(found->second.minus);
+  return std::abs(change) < kNoChange ? 0.0 : change * options_.unit * options_.unit;
+}
+
+template <int D>
+void WitnessProgram<D>::add(const SiteTuple& simplex) {
+  Witness witness{simplex, sites_.x[simplex[0]], 1.0, 0, {}};
+  double square = 0.0;
+  for (const std::uint32_t a : simplex) {
+    for (const std::uint32_t b : simplex) {
+      Vector along = sites_.x[a];
+      for (std::size_t axis = 0; axis < D; ++axis) along[axis] -= sites_.x[b][axis];
+      square = std::max(square, dot<D>(along, along));
+    }
+  }
+  if (square > 0.0) witness.diameter = std::sqrt(square);
+  witness.first_variable = program_.add_variable(-LinearProgram::kInfinity, 0.0);
+  for (int i = 0; i < D; ++i) (void)program_.add_variable(-LinearProgram::kInfinity, 0.0);
+  const std::size_t number = witnesses_.size();
+  witnesses_.push_back(std::move(witness));
+  Vector middle{};
+  for (const std::uint32_t corner : simplex) {
+    add_condition(number, corner, true);
+    const Vector y = in_frame(witnesses_[number], corner);
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      middle[axis] += y[axis] / static_cast<double>(simplex.size());
+    }
+  }
+  if (!options_.alpha2) return;
+  add_cut(number, middle);
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    for (const double step : {-1.0, 1.0}) {
+      Vector beside = middle;
+      beside[axis] += step;
+      add_cut(number, beside);
+    }
+  }
+}
+
+// w_u unit^2 / diameter^2 and so on: in the frame of the witness.
+template <int D>
+void WitnessProgram<D>::add_condition(std::size_t number, std::uint32_t site, bool is_corner) {
+  const bool is_fixed = options_.is_fixed != nullptr && (*options_.is_fixed)[site];
+  Witness& witness = witnesses_[number];
+  const Vector y = in_frame(witness, site);
+  const double square = witness.diameter * witness.diameter;
+  const double unit = options_.unit * options_.unit / square;
+  std::vector<LinearProgram::Term> terms;
+  if (!is_fixed) {
+    const Change change = change_of(site);
+    terms = {{change.plus, -unit}, {change.minus, unit}};
+  }
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    if (y[axis] != 0.0) terms.push_back({witness.first_variable + axis, -2.0 * y[axis]});
+  }
+  terms.push_back({witness.first_variable + D, 1.0});
+  const double least = sites_.weight[site] / square - dot<D>(y, y);
+  if (is_corner) {
+    program_.add_condition(least, least, terms);
+  } else {
+    program_.add_condition(least + options_.margin, LinearProgram::kInfinity, terms);
+    witness.others.push_back(site);
+  }
+  witness_of_condition_.push_back(number);
+}
+
+template <int D>
+void WitnessProgram<D>::add_cut(std::size_t number, const Vector& at) {
+  const Witness& witness = witnesses_[number];
+  std::vector<LinearProgram::Term> terms;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    terms.push_back({witness.first_variable + axis, 2.0 * at[axis]});
+  }
+  terms.push_back({witness.first_variable + D, -1.0});
+  const double alpha2 = *options_.alpha2 / (witness.diameter * witness.diameter);
+  program_.add_condition(-LinearProgram::kInfinity, alpha2 - options_.margin + dot<D>(at, at),
+                         terms);
+  witness_of_condition_.push_back(number);
+}
+
+template <int D>
+auto WitnessProgram<D>::place(const Witness& witness) const -> Vector {
+  Vector x;
+  for (std::size_t axis = 0; axis < D; ++axis)
+    x[axis] = program_.value(witness.first_variable + axis);
+  return x;
+}
+
+// Adds what the last solution violates of one simplex; whether there was anything.
+template <int D>
+bool WitnessProgram<D>::add_violated(std::size_t number, const std::vector<double>& changes) {
+  const Witness& witness = witnesses_[number];
+  const Vector x = place(witness);
+  const double q = program_.value(witness.first_variable + D);
+  const double square = witness.diameter * witness.diameter;
+  bool is_violated = false;
+  if (options_.alpha2 && dot<D>(x, x) - q > *options_.alpha2 / square - options_.margin / 2) {
+    add_cut(number, x);
+    is_violated = true;
+  }
+  std::vector<std::pair<double, std::uint32_t>> violated;  // by how much
+  for (std::uint32_t site = 0; site < sites_.x.size(); ++site) {
+    if (options_.counted != nullptr && !(*options_.counted)[site]) continue;
+    const Vector y = in_frame(witness, site);
+    const double above =
+        dot<D>(y, y) - (sites_.weight[site] + changes[site]) / square - 2.0 * dot<D>(x, y) + q;
+    if (above >= options_.margin / 2) continue;
+    const auto is_in = [&](const auto& list) {
+      return std::find(list.begin(), list.end(), site) != list.end();
+    };
+    if (!is_in(witness.corners) && !is_in(witness.others)) violated.emplace_back(above, site);
+  }
+  std::sort(violated.begin(), violated.end());
+  if (violated.size() > kMostOthers) violated.resize(kMostOthers);
+  for (const auto& [above, site] : violated) add_condition(number, site, false);
+  return is_violated || !violated.empty();
+}
+
+template <int D>
+bool WitnessProgram<D>::solve() {
+  for (int round = 0; round < kMostRounds; ++round) {
+    if (!program_.solve()) return false;
+    bool is_violated = false;
+    const std::vector<double> of_sites = changes();
+    for (std::size_t number = 0; number < witnesses_.size(); ++number) {
+      if (add_violated(number, of_sites)) is_violated = true;
+    }
+    if (!is_violated) return true;
+  }
+  throw LimitError("the weights that hold the simplices were not found in " +
+                   std::to_string(kMostRounds) + " rounds of linear programs");
+}
+
+template <int D>
+std::vector<double> WitnessProgram<D>::changes() const {
+  std::vector<double> changes(sites_.x.size());
+  for (std::uint32_t site = 0; site < changes.size(); ++site) changes[site] = change(site);
+  return changes;
+}
+
+template <int D>
+std::vector<std::size_t> WitnessProgram<D>::contradiction() const {
+  std::vector<bool> is_named(witnesses_.size());
+  for (const std::size_t condition : program_.contradiction()) {
+    is_named[witness_of_condition_[condition]] = true;
+  }
+  std::vector<std::size_t> numbers;
+  for (std::size_t number = 0; number < is_named.size(); ++number) {
+    if (is_named[number]) numbers.push_back(number);
+  }
+  return numbers;
+}
+
+template class WitnessProgram<2>;
+template class WitnessProgram<3>;
+
+}  // namespace orthoball

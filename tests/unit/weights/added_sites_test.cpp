@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "orthoball/weights/added_sites.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "orthoball/triangulation/build.h"
+#include "orthoball/weights/enforced_weights.h"
+#include "orthoball/weights/linear_program.h"
+
+namespace orthoball {
+namespace {
+
+using Numbers = std::vector<std::size_t>;
+
+SimplexRows simplex(std::initializer_list<std::uint32_t> rows) {
+  SimplexRows ids;
+  for (const std::uint32_t row : rows) ids.emplace_back(row);
+  return ids;
+}
+
+WeightedPoints plane(std::vector<double> coordinates) {
+  return WeightedPoints::fixed_point(2, 1, std::move(coordinates), WeightKind::none, {});
+}
+
+// Adds sites, and expects that weights hold all parts, exactly.
+template <int D>
+AddedSites expect_held(const WeightedPoints& points, const std::vector<SimplexRows>& simplices,
+                       double alpha2) {
+  AddedSites result = with_added_sites(points, simplices);
+  EXPECT_EQ(result.points.size(), points.size() + result.added);
+  const auto weights =
+      enforced_weights(result.points, result.simplices, alpha2, Threads(1), result.added);
+  EXPECT_TRUE(weights.conflict.empty());
+  const Filtration<D> filtration(regular_triangulation<D>(weights.points));
+  const auto present = are_present<D>(filtration, filtration.index(alpha2), result.simplices);
+  EXPECT_EQ(std::count(present.begin(), present.end(), false), 0);
+  for (const SiteId row : weights.changed) EXPECT_LT(row.row(), points.size());
+  return result;
+}
+
+class AddedSitesTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_linear_solver()) GTEST_SKIP() << "built without CLP";
+  }
+};
+
+TEST_F(AddedSitesTest, AreNoneWhereNoneAreNeeded) {
+  const WeightedPoints points = plane({0, 0, 40, 0, 40, 30, 0, 30});
+  const std::vector<SimplexRows> edges{simplex({0, 2}), simplex({0, 1})};
+  const AddedSites result = expect_held<2>(points, edges, 1.0);
+  EXPECT_EQ(result.added, 0U);
+  EXPECT_EQ(result.simplices, edges);
+  EXPECT_EQ(result.part_of, (Numbers{0, 1}));
+}
+
+TEST_F(AddedSitesTest, AreOneForTwoEdgesThatCross) {
+  const WeightedPoints points = plane({0, 0, 40, 0, 40, 30, 0, 30});
+  const AddedSites result = expect_held<2>(points, {simplex({0, 2}), simplex({1, 3})}, 1.0);
+  ASSERT_EQ(result.added, 1U);
+  EXPECT_EQ(result.points.coordinate(4, 0), 2.0);
+  EXPECT_EQ(result.points.coordinate(4, 1), 1.5);
+  EXPECT_EQ(result.simplices, (std::vector<SimplexRows>{simplex({2, 4}), simplex({0, 4}),
+                                                        simplex({3, 4}), simplex({1, 4})}));
+  EXPECT_EQ(result.part_of, (Numbers{0, 0, 1, 1}));
+}
+
+TEST_F(AddedSitesTest, AreNoneWhereACornerLiesOnAnotherSimplex) {
+  const WeightedPoints points = plane({0, 0, 40, 0, 20, 0, 20, 30});
+  const AddedSites result = expect_held<2>(points, {simplex({0, 1}), simplex({2, 3})}, 1.0);
+  EXPECT_EQ(result.added, 0U);
+  EXPECT_EQ(result.part_of, (Numbers{0, 0, 1}));
+}
+
+TEST_F(AddedSitesTest, CutAllThatShareTheEdge) {
+  // Two triangles on both sides of an edge that another edge crosses.
+  const WeightedPoints points = plane({0, 0, 40, 0, 20, 30, 20, -30, 23, 90, 17, -91});
+  const AddedSites result =
+      expect_held<2>(points, {simplex({0, 1, 2}), simplex({0, 1, 3}), simplex({4, 5})}, 100.0);
+  EXPECT_GE(result.added, 2U);
+  EXPECT_LE(result.added, 4U);
+}
+
+TEST_F(AddedSitesTest, AreOneWhereAnEdgePassesThroughATriangle) {
+  const WeightedPoints points(3, {0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, -1, 1, 1.5, 1}, WeightKind::none,
+                              {});
+  const AddedSites result = expect_held<3>(points, {simplex({0, 1, 2}), simplex({3, 4})}, 1.0);
+  EXPECT_EQ(result.added, 1U);
+  EXPECT_EQ(result.part_of, (Numbers{0, 0, 0, 1, 1}));
+}
+
+TEST_F(AddedSitesTest, CutTwoTrianglesThatCrossInSpace) {
+  const WeightedPoints points(3, {0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, -1, 1, 1.5, 1, 5, 5, 0.5},
+                              WeightKind::none, {});
+  const AddedSites result = expect_held<3>(points, {simplex({0, 1, 2}), simplex({3, 4, 5})}, 4.0);
+  EXPECT_EQ(result.added, 2U);
+}
+
+TEST_F(AddedSitesTest, BreakARingInWhichNoTwoMeet) {
+  const WeightedPoints points = plane({0, 0, 400, 0, 0, 400, 100, 100, 200, 100, 100, 200});
+  const AddedSites result = expect_held<2>(
+      points,
+      {simplex({3, 4, 5}), simplex({0, 3, 4}), simplex({0, 1, 4}), simplex({1, 4, 5}),
+       simplex({1, 2, 5}), simplex({2, 3, 5}), simplex({0, 2, 3})},
+      1000.0);
+  EXPECT_EQ(result.added, 1U);
+}
+
+}  // namespace
+}  // namespace orthoball
