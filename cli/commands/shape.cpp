@@ -5,10 +5,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "cli/alpha_options.h"
 #include "cli/commands.h"
+#include "cli/edit_options.h"
 #include "cli/input_options.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
@@ -25,7 +27,7 @@ struct ShapeOptions {
   AlphaOptions alpha;
   std::string output = "-";
   std::string format;  // empty: from the name of the output
-  bool regularized = false;
+  EditOptions edits;
   bool roles = false;
   bool json = false;
 };
@@ -81,20 +83,30 @@ Contents contents_of(const orthoball::ShapeMesh& mesh) {
           mesh.edges.size() - edges, mesh.isolated.size()};
 }
 
-void write_report(const ShapeOptions& options, const ChosenAlpha& alpha,
-                  const orthoball::ShapeMesh& mesh, const std::string& format) {
-  const Contents contents = contents_of(mesh);
+// What was written, for the report.
+template <int D>
+struct Written {
+  ChosenAlpha alpha;
+  orthoball::EditedShape<D> shape;
+  orthoball::ShapeMesh mesh;
+};
+
+template <int D>
+void write_report(const ShapeOptions& options, const Written<D>& written,
+                  const std::string& format) {
+  const Contents contents = contents_of(written.mesh);
   nlohmann::ordered_json json{{"file", options.output}, {"format", format}};
   json["name"] = nullptr;
-  if (!alpha.name.empty()) json["name"] = alpha.name;
-  json["index"] = alpha.index;
-  json["alpha2"] = alpha.alpha2;
-  json["alpha"] = alpha.alpha;
-  json["regularized"] = options.regularized;
-  json["vertices"] = mesh.vertex_count();
+  if (!written.alpha.name.empty()) json["name"] = written.alpha.name;
+  json["index"] = written.alpha.index;
+  json["alpha2"] = written.alpha.alpha2;
+  json["alpha"] = written.alpha.alpha;
+  json["regularized"] = options.edits.regularized;
+  add_json(json, written.shape, options.edits);
+  json["vertices"] = written.mesh.vertex_count();
   json["regular"] = contents.regular;
   json["singular"] = {contents.singular_vertices, contents.singular_edges};
-  if (mesh.dimension == 3) json["singular"].push_back(contents.singular_triangles);
+  if (D == 3) json["singular"].push_back(contents.singular_triangles);
   const std::string text = json_text(json) + "\n";
   write_output("-", "", [&](orthoball::ByteSink& sink) {
     sink.text(text);
@@ -102,18 +114,18 @@ void write_report(const ShapeOptions& options, const ChosenAlpha& alpha,
   });
 }
 
-void say_report(const ShapeOptions& options, const ChosenAlpha& alpha,
-                const orthoball::ShapeMesh& mesh) {
-  const Contents contents = contents_of(mesh);
-  std::string text = orthoball::counted(contents.regular,
-                                        mesh.dimension == 3 ? "regular triangle" : "regular edge");
-  if (!options.regularized) {
-    if (mesh.dimension == 3)
-      text += ", " + orthoball::counted(contents.singular_triangles, "singular triangle");
+template <int D>
+void say_report(const ShapeOptions& options, const Written<D>& written) {
+  if (options.edits.are_given()) say(options.input, text_of(written.shape, options.edits));
+  const Contents contents = contents_of(written.mesh);
+  std::string text =
+      orthoball::counted(contents.regular, D == 3 ? "regular triangle" : "regular edge");
+  if (!options.edits.regularized) {
+    if (D == 3) text += ", " + orthoball::counted(contents.singular_triangles, "singular triangle");
     text += ", " + orthoball::counted(contents.singular_edges, "singular edge") + ", " +
             orthoball::counted(contents.singular_vertices, "singular vertex");
   }
-  say(options.input, text_of(alpha) + ": " + text);
+  say(options.input, text_of(written.alpha) + ": " + text);
 }
 
 // Of what the file lacks.
@@ -144,6 +156,7 @@ void run(const ShapeOptions& options) {
   }
   require_other_file(options.input, options.output);
   check(options.alpha, false);
+  const orthoball::ShapeEdits wanted = edits(options.edits);
   Progress progress(
       options.input.progress, options.input.quiet,
       {Stage::reading, Stage::triangulation, Stage::filtration, Stage::writing_shape});
@@ -154,28 +167,27 @@ void run(const ShapeOptions& options) {
   say_how(options.input, {alpha});
 
   progress.begin(Stage::writing_shape);
-  const orthoball::ShapeMesh mesh = std::visit(
-      [&](const auto& filtration) {
-        return shape_mesh(filtration, input.shapes.points(), alpha.index, options.regularized);
+  std::visit(
+      [&]<int D>(const orthoball::Filtration<D>& filtration) {
+        const orthoball::WeightedPoints& points = input.shapes.points();
+        auto shape = edited_shape(filtration, alpha.index, wanted);
+        auto mesh = shape_mesh(shape.complex, points);
+        const Written<D> written{alpha, std::move(shape), std::move(mesh)};
+        write_output(options.output, "null", [&](orthoball::ByteSink& sink) {
+          if (const auto mesh_format = orthoball::mesh_format(format)) {
+            return write_mesh(sink, written.mesh, {*mesh_format, options.roles, alpha.alpha2});
+          }
+          if constexpr (D == 2) {
+            const orthoball::PlanarShapeOptions planar{alpha.alpha2, options.roles};
+            if (format == "geojson") write_geojson(sink, written.shape.complex, points, planar);
+            if (format == "svg") write_shape_svg(sink, written.shape.complex, points, planar);
+          }
+        });
+        progress.end();
+        options.json ? write_report(options, written, format) : say_report(options, written);
+        warn(options, written.mesh, format);
       },
       input.shapes.filtration());
-  write_output(options.output, "null", [&](orthoball::ByteSink& sink) {
-    if (const auto mesh_format = orthoball::mesh_format(format)) {
-      return write_mesh(sink, mesh, {*mesh_format, options.roles, alpha.alpha2});
-    }
-    const auto& plane = std::get<orthoball::Filtration<2>>(input.shapes.filtration());
-    const orthoball::PlanarShapeOptions planar{alpha.index, alpha.alpha2, options.regularized,
-                                               options.roles};
-    if (format == "geojson") write_geojson(sink, plane, input.shapes.points(), planar);
-    if (format == "svg") write_shape_svg(sink, plane, input.shapes.points(), planar);
-  });
-  progress.end();
-  if (options.json) {
-    write_report(options, alpha, mesh, format);
-  } else {
-    say_report(options, alpha, mesh);
-  }
-  warn(options, mesh, format);
 }
 
 }  // namespace
@@ -185,6 +197,7 @@ void add_shape_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("shape", "The boundary of the shape at one alpha as a mesh or a map.");
   add_alpha_options(*command, options->alpha, false, "auto");
+  add_edit_options(*command, options->edits);
   const std::string group = "Output";
   command->add_option("-o,--output", options->output, "file, or - for standard output")
       ->type_name("FILE")
@@ -199,10 +212,6 @@ void add_shape_command(CLI::App& app) {
                   .description(""))
       ->group(group);
   command
-      ->add_flag("--regularized", options->regularized,
-                 "without singular simplices: the boundary of the solid part only")
-      ->group(group);
-  command
       ->add_flag("--roles", options->roles,
                  "mark every simplex as singular or regular: a property (ply, vtu),\n"
                  "a group (obj) or a colour (off, glb, svg); geojson always does")
@@ -214,12 +223,17 @@ void add_shape_command(CLI::App& app) {
       "vertices, parts of the shape that bound no tetrahedron, are kept where the format can hold\n"
       "them: stl and off hold triangles only. Coordinates are those of INPUT; stl and glb round\n"
       "them to 24 bits. ply and vtu name the input row of every vertex.\n\n"
+      "Regions are the components of the shape, holes the bounded components of what is around "
+      "it.\n"
+      "Holes are filled first, then regions left out; the report says how many.\n\n"
       "--alpha2 auto: 0 where weights are the radii of a molecule (the dual complex of its\n"
       "atoms); without weights the first alpha2 at which the shape is one solid piece with every\n"
       "point; else the first from which on it is one piece. Which was taken is said.\n\n"
       "Examples:\n"
       "  orthoball shape bunny.off -o surface.ply\n"
       "  orthoball shape 1ubq.pdb --alpha 1.4 -o ubiquitin.glb --roles\n"
-      "  orthoball shape airports.csv --alpha2 auto -o outline.geojson");
+      "  orthoball shape airports.csv --alpha2 auto -o outline.geojson\n"
+      "  orthoball shape cells.csv --alpha 2 --regularized --region 1 --hole-threshold 50 -o "
+      "cell.svg");
   command->callback([options] { run(*options); });
 }

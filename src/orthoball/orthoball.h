@@ -38,6 +38,8 @@
 #include "orthoball/signatures/signature.h"
 // queries
 #include "orthoball/queries/containment.h"
+#include "orthoball/queries/edited_shape.h"
+#include "orthoball/queries/locate.h"
 #include "orthoball/queries/nearest.h"
 #include "orthoball/queries/planar_union.h"
 #include "orthoball/queries/pockets.h"
@@ -48,6 +50,7 @@
 #include "orthoball/output/ball_tables.h"
 #include "orthoball/output/byte_sink.h"
 #include "orthoball/output/encoded_output.h"
+#include "orthoball/output/location_table.h"
 #include "orthoball/output/mesh.h"
 #include "orthoball/output/molecule.h"
 #include "orthoball/output/persistence_plot.h"
