@@ -23,6 +23,7 @@
 #include "orthoball/filtration/alpha.h"
 #include "orthoball/filtration/alpha_complex.h"
 #include "orthoball/filtration/filter.h"
+#include "orthoball/filtration/filter_columns.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/filtration/simplex_table.h"
 // topology, measures
@@ -53,6 +54,7 @@
 #include "orthoball/output/location_table.h"
 #include "orthoball/output/mesh.h"
 #include "orthoball/output/molecule.h"
+#include "orthoball/output/page.h"
 #include "orthoball/output/persistence_plot.h"
 #include "orthoball/output/persistence_table.h"
 #include "orthoball/output/planar_shape.h"
