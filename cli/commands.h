@@ -8,6 +8,7 @@
 void add_summary_command(CLI::App& app);
 void add_signatures_command(CLI::App& app);
 void add_shape_command(CLI::App& app);
+void add_locate_command(CLI::App& app);
 void add_persistence_command(CLI::App& app);
 void add_alpha_command(CLI::App& app);
 void add_enforce_command(CLI::App& app);

@@ -90,9 +90,9 @@ void add_commands(CLI::App& app) {
   app.get_formatter()->label("SUBCOMMAND", "COMMAND INPUT");
   app.get_formatter()->label("Subcommands", "Commands");
   for (const auto add :
-       {add_summary_command, add_signatures_command, add_shape_command, add_filter_command,
-        add_measure_command, add_pockets_command, add_persistence_command, add_alpha_command,
-        add_figure_command, add_enforce_command, add_view_command}) {
+       {add_summary_command, add_signatures_command, add_shape_command, add_locate_command,
+        add_filter_command, add_measure_command, add_pockets_command, add_persistence_command,
+        add_alpha_command, add_figure_command, add_enforce_command, add_view_command}) {
     add(app);
   }
   for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command);
@@ -104,6 +104,7 @@ void add_commands(CLI::App& app) {
       "  orthoball summary 1crn.cif\n"
       "  orthoball signatures 1ubq.pdb -o table.csv --plot signatures.svg\n"
       "  orthoball shape bunny.off --alpha2 auto -o surface.ply\n"
+      "  orthoball locate bunny.off probes.csv --alpha2 auto\n"
       "  orthoball measure 1ubq.pdb --probe 1.4 --per-residue residues.csv\n"
       "  orthoball pockets 1fmo.pdb --probe 1.4\n"
       "  orthoball figure trees.csv --columns x,y --radius-column crown -o trees.svg\n"

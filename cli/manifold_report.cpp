@@ -70,15 +70,10 @@ std::string dropped_text(const DroppedSimplices<D>& dropped) {
 }  // namespace
 
 template <int D>
-DroppedSimplices<D> dropped_simplices(const orthoball::Filtration<D>& filtration,
-                                      std::uint32_t index) {
+DroppedSimplices<D> dropped_simplices(const orthoball::AlphaComplex<D>& shape) {
   DroppedSimplices<D> dropped{};
   for (int d = 0; d < D; ++d) {
-    const std::uint32_t first = filtration.table().first(d);
-    for (std::uint32_t i = 0; i < filtration.count(d); ++i) {
-      const auto role = filtration.role(orthoball::SimplexId(first + i), index);
-      if (role == orthoball::Role::singular) ++dropped[static_cast<std::size_t>(d)];
-    }
+    dropped[static_cast<std::size_t>(d)] = shape.simplices(d, orthoball::Role::singular).size();
   }
   return dropped;
 }
@@ -133,8 +128,8 @@ std::array<std::string, 2> manifold_text(const orthoball::ManifoldSolid<D>& soli
           changes_text(solid) + dropped_text<D>(dropped)};
 }
 
-template DroppedSimplices<2> dropped_simplices<2>(const orthoball::Filtration<2>&, std::uint32_t);
-template DroppedSimplices<3> dropped_simplices<3>(const orthoball::Filtration<3>&, std::uint32_t);
+template DroppedSimplices<2> dropped_simplices(const orthoball::AlphaComplex<2>&);
+template DroppedSimplices<3> dropped_simplices(const orthoball::AlphaComplex<3>&);
 template Json manifold_json<2>(const orthoball::ManifoldSolid<2>&, const DroppedSimplices<2>&,
                                std::size_t&);
 template Json manifold_json<3>(const orthoball::ManifoldSolid<3>&, const DroppedSimplices<3>&,

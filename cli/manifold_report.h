@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "orthoball/filtration/filtration.h"
+#include "orthoball/filtration/alpha_complex.h"
 #include "orthoball/queries/manifold_solid.h"
 
 // What shape --manifold says of the solid it wrote.
@@ -17,8 +17,7 @@ template <int D>
 using DroppedSimplices = std::array<std::size_t, std::size_t{D}>;
 
 template <int D>
-[[nodiscard]] DroppedSimplices<D> dropped_simplices(const orthoball::Filtration<D>& filtration,
-                                                    std::uint32_t index);
+[[nodiscard]] DroppedSimplices<D> dropped_simplices(const orthoball::AlphaComplex<D>& shape);
 
 /// The key `manifold` of the report.
 /// @param missing  grows by the numbers that are beyond the range of doubles.
@@ -32,10 +31,8 @@ template <int D>
 [[nodiscard]] std::array<std::string, 2> manifold_text(const orthoball::ManifoldSolid<D>& solid,
                                                        const DroppedSimplices<D>& dropped);
 
-extern template DroppedSimplices<2> dropped_simplices<2>(const orthoball::Filtration<2>&,
-                                                         std::uint32_t);
-extern template DroppedSimplices<3> dropped_simplices<3>(const orthoball::Filtration<3>&,
-                                                         std::uint32_t);
+extern template DroppedSimplices<2> dropped_simplices(const orthoball::AlphaComplex<2>&);
+extern template DroppedSimplices<3> dropped_simplices(const orthoball::AlphaComplex<3>&);
 extern template nlohmann::ordered_json manifold_json<2>(const orthoball::ManifoldSolid<2>&,
                                                         const DroppedSimplices<2>&, std::size_t&);
 extern template nlohmann::ordered_json manifold_json<3>(const orthoball::ManifoldSolid<3>&,

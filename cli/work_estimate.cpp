@@ -19,6 +19,7 @@ constexpr std::array kCosts = {
     Cost{Stage::filtration, "filtration", 2050, 290},
     Cost{Stage::signatures, "signatures", 2350, 420},
     Cost{Stage::measuring, "measuring", 7000, 4000},
+    Cost{Stage::locating, "locating", 2000, 700},
     Cost{Stage::pairing, "pairing", 5000, 900},
     Cost{Stage::writing_filter, "writing", 7700, 1550},
     Cost{Stage::writing_shape, "writing", 400, 200},

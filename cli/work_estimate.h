@@ -14,6 +14,7 @@ enum class Stage {
   filtration,
   signatures,
   measuring,
+  locating,
   pairing,
   writing_filter,
   writing_shape,

@@ -1,9 +1,17 @@
-# The viewer: one HTML page made by Node from viewer/, embedded into the program. Without Node 20 or
-# with ORTHOBALL_VIEWER=OFF the program is built without it, and says so when it is asked to `view`.
+# The viewer: one HTML page made by Node from viewer/, embedded into the program and put into the
+# Python package. Without Node 20 or with ORTHOBALL_VIEWER=OFF both are built without it, and say so
+# when they are asked to `view`. A source distribution carries the page as it was built.
 # Sets VIEWER_PAGE to the page's path, empty where there is none, and NODE to Node.
+add_custom_target(viewer_page)  # so that the page is built before what holds it
 set(VIEWER_PAGE "")
 set(NODE "")
 if(NOT ORTHOBALL_VIEWER)
+  return()
+endif()
+set(VIEWER ${PROJECT_SOURCE_DIR}/viewer)
+set(VIEWER_BUILT ${VIEWER}/built/index.html)
+if(EXISTS ${PROJECT_SOURCE_DIR}/PKG-INFO AND EXISTS ${VIEWER_BUILT})
+  set(VIEWER_PAGE ${VIEWER_BUILT})
   return()
 endif()
 
@@ -24,7 +32,6 @@ if(NOT NODE OR NODE_VERSION VERSION_LESS 20.19)
   return()
 endif()
 
-set(VIEWER ${PROJECT_SOURCE_DIR}/viewer)
 set(VIEWER_PAGE ${PROJECT_BINARY_DIR}/viewer/index.html)
 # What npm leaves when it is done.
 set(VIEWER_PACKAGES ${VIEWER}/node_modules/.package-lock.json)
@@ -51,3 +58,5 @@ add_custom_command(
   WORKING_DIRECTORY ${VIEWER}
   COMMENT "Building the viewer"
   VERBATIM)
+add_custom_target(viewer_page_file DEPENDS ${VIEWER_PAGE})
+add_dependencies(viewer_page viewer_page_file)

@@ -11,10 +11,12 @@
 #include "orthoball/input/decimal.h"
 #include "orthoball/output/byte_sink.h"
 #include "orthoball/queries/containment.h"
+#include "orthoball/queries/locate.h"
 #include "orthoball/queries/nearest.h"
 #include "orthoball/queries/regions.h"
 #include "python/arrays.h"
 #include "python/module.h"
+#include "python/one_shape.h"
 
 using orthoball::AlphaShapes;
 using orthoball::Filtration;
@@ -71,61 +73,113 @@ orthoball::JoinedBy joined_by(const std::string& name) {
       "regions are joined by \"" + name + "\"; it must be \"vertices\", \"cells\" or \"facets\"");
 }
 
-nb::list regions(const AlphaShapes& shapes, std::uint32_t index, const std::string& name) {
-  const orthoball::JoinedBy by = joined_by(name);
-  return std::visit(
-      [&]<int D>(const Filtration<D>& filtration) {
-        auto found = [&] {
-          const nb::gil_scoped_release released;
-          return orthoball::regions<D>(filtration, index, by);
-        }();
-        nb::list result;
-        for (orthoball::Region& region : found) {
-          std::vector<SiteId> cells;
+nb::list listed(const OneShape& shape, std::vector<orthoball::Region> regions) {
+  const auto dimension = static_cast<std::size_t>(shape.shapes->dimension());
+  nb::list result;
+  for (orthoball::Region& region : regions) {
+    std::vector<SiteId> cells;
+    std::visit(
+        [&](const auto& filtration) {
           for (const SimplexId cell : region.cells) {
             const auto rows = filtration.rows(cell);
             cells.insert(cells.end(), rows.begin(), rows.end());
           }
-          nb::dict one;
-          one["volume"] = region.volume;
-          one["area"] = region.area;
-          one["rows"] = owned<std::uint32_t>(std::move(region.rows));
-          one["cells"] =
-              owned<std::uint32_t>(std::move(cells), {region.cells.size(), std::size_t{D} + 1});
-          result.append(one);
-        }
-        return result;
-      },
-      shapes.filtration());
+        },
+        shape.shapes->filtration());
+    nb::dict one;
+    one["volume"] = region.volume;
+    one["area"] = region.area;
+    one["rows"] = owned<std::uint32_t>(std::move(region.rows));
+    one["cells"] = owned<std::uint32_t>(std::move(cells), {region.cells.size(), dimension + 1});
+    nb::list betti;
+    for (std::size_t k = 0; k < dimension; ++k) betti.append(region.betti[k]);
+    one["betti"] = nb::tuple(betti);
+    result.append(one);
+  }
+  return result;
+}
+
+nb::list regions(const OneShape& shape, const std::string& name) {
+  const orthoball::JoinedBy by = joined_by(name);
+  return listed(shape, without_gil(shape, [&](const auto& complex) {
+                  return orthoball::regions(complex, by);
+                }));
+}
+
+nb::list holes(const OneShape& shape) {
+  return listed(shape,
+                without_gil(shape, [](const auto& complex) { return orthoball::holes(complex); }));
+}
+
+// The rows of some simplices, `width` each, filled up with none.
+template <int D>
+void add_rows(const Filtration<D>& filtration, SimplexId simplex, std::size_t width,
+              std::vector<SiteId>& rows) {
+  const std::size_t end = rows.size() + width;
+  if (simplex.exists()) {
+    for (const SiteId row : filtration.rows(simplex)) rows.push_back(row);
+  }
+  rows.resize(end);
+}
+
+// (n,): the number of the region each point is in, from 1; 0 outside. (n, D + 1): the rows of the
+// simplex that it is in. Then of the nearest point of the boundary: where, how far, on what.
+nb::tuple locate(const OneShape& shape, const Given<double, 2>& points,
+                 std::optional<unsigned> threads) {
+  std::vector<std::uint32_t> numbers;
+  std::vector<double> coordinates, distances;
+  std::vector<SiteId> simplices, nearest;
+  without_gil(shape, [&]<int D>(const orthoball::AlphaComplex<D>& complex) {
+    const WeightedPoints queries = query_points(*shape.shapes, points);
+    for (const auto& one : orthoball::locate(complex, queries, threads_of(threads))) {
+      numbers.push_back(one.region);
+      add_rows(complex.filtration(), one.simplex, std::size_t{D} + 1, simplices);
+      coordinates.insert(coordinates.end(), one.nearest.point.begin(), one.nearest.point.end());
+      distances.push_back(one.nearest.distance);
+      add_rows(complex.filtration(), one.nearest.simplex, std::size_t{D}, nearest);
+    }
+  });
+  const std::size_t size = numbers.size();
+  const auto axes = static_cast<std::size_t>(shape.shapes->dimension());
+  return nb::make_tuple(owned<std::uint32_t>(std::move(numbers)),
+                        owned<std::uint32_t>(std::move(simplices), {size, axes + 1}),
+                        owned<double>(std::move(coordinates), {size, axes}),
+                        owned<double>(std::move(distances)),
+                        owned<std::uint32_t>(std::move(nearest), {size, axes}));
+}
+
+Array<bool> contains(const OneShape& shape, const Given<double, 2>& points,
+                     std::optional<unsigned> threads) {
+  auto inside = without_gil(shape, [&](const auto& complex) {
+    const WeightedPoints queries = query_points(*shape.shapes, points);
+    std::vector<std::uint8_t> result;
+    for (const SimplexId simplex :
+         orthoball::simplices_at(complex.filtration(), queries, threads_of(threads))) {
+      result.push_back(simplex.exists() && complex.contains(simplex) ? 1 : 0);
+    }
+    return result;
+  });
+  return owned<bool>(std::move(inside));
 }
 
 // Points, distances and the rows of the simplices, D each, filled up with none.
-nb::tuple nearest(const AlphaShapes& shapes, std::uint32_t index, const Given<double, 2>& points,
-                  bool regularized, std::optional<unsigned> threads) {
+nb::tuple nearest(const OneShape& shape, const Given<double, 2>& points,
+                  std::optional<unsigned> threads) {
   std::vector<double> coordinates, distances;
   std::vector<SiteId> rows;
-  without_gil(shapes, [&]<int D>(const Filtration<D>& filtration) {
+  without_gil(shape, [&]<int D>(const orthoball::AlphaComplex<D>& complex) {
     // Refuses what is not finite, naming the row.
     const WeightedPoints checked(static_cast<int>(points.shape(1)),
                                  std::vector<double>(points.data(), points.data() + points.size()),
                                  orthoball::WeightKind::none, {});
-    const auto found = orthoball::nearest_on_boundary<D>(filtration, index, checked, regularized,
-                                                         threads_of(threads));
-    for (const orthoball::BoundaryPoint<D>& one : found) {
+    for (const auto& one : orthoball::nearest_on_boundary(complex, checked, threads_of(threads))) {
       coordinates.insert(coordinates.end(), one.point.begin(), one.point.end());
       distances.push_back(one.distance);
-      std::size_t count = 0;
-      if (one.simplex.exists()) {
-        for (const SiteId row : filtration.rows(one.simplex)) {
-          rows.push_back(row);
-          ++count;
-        }
-      }
-      rows.resize(rows.size() + std::size_t{D} - count);
+      add_rows(complex.filtration(), one.simplex, std::size_t{D}, rows);
     }
   });
   const std::size_t size = distances.size();
-  const auto axes = static_cast<std::size_t>(shapes.dimension());
+  const auto axes = static_cast<std::size_t>(shape.shapes->dimension());
   return nb::make_tuple(owned<double>(std::move(coordinates), {size, axes}),
                         owned<double>(std::move(distances)),
                         owned<std::uint32_t>(std::move(rows), {size, axes}));
@@ -138,10 +192,14 @@ void bind_queries(nb::module_& module) {
       "enters_at", &enters_at, nb::arg("shapes"), nb::arg("points"), nb::arg("threads").none(),
       "The index at which each point becomes part of the shape, (n,) uint32; the spectrum's\n"
       "size plus 1 outside the convex hull.");
-  module.def("nearest", &nearest, nb::arg("shapes"), nb::arg("index"), nb::arg("points"),
-             nb::arg("regularized"), nb::arg("threads").none(),
+  module.def("contains", &contains, nb::arg("shape"), nb::arg("points"), nb::arg("threads").none(),
+             "(n,) whether points are in a shape.");
+  module.def("locate", &locate, nb::arg("shape"), nb::arg("points"), nb::arg("threads").none(),
+             "Regions (n,), simplices (n, D + 1), and as `nearest`.");
+  module.def("nearest", &nearest, nb::arg("shape"), nb::arg("points"), nb::arg("threads").none(),
              "The nearest points of the boundary (n, D), their distances (n,), the rows of their\n"
              "simplices (n, D) uint32.");
-  module.def("regions", &regions, nb::arg("shapes"), nb::arg("index"), nb::arg("joined_by"),
-             "The regions of the shape at an index, a dict each.");
+  module.def("regions", &regions, nb::arg("shape"), nb::arg("joined_by"),
+             "The regions of a shape, a dict each.");
+  module.def("holes", &holes, nb::arg("shape"), "The holes of a shape, a dict each.");
 }

@@ -1,32 +1,51 @@
 // SPDX-License-Identifier: MIT
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 
 #include <array>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "orthoball/error.h"
-#include "orthoball/filtration/alpha_complex.h"
 #include "orthoball/output/mesh.h"
 #include "orthoball/output/planar_shape.h"
 #include "orthoball/output/polygons.h"
 #include "orthoball/output/shape_mesh.h"
+#include "orthoball/queries/edited_shape.h"
+#include "orthoball/queries/regions.h"
 #include "python/arrays.h"
 #include "python/module.h"
+#include "python/one_shape.h"
 
+using orthoball::AlphaComplex;
 using orthoball::AlphaShapes;
 using orthoball::Filtration;
+using orthoball::InputError;
 using orthoball::Role;
 using orthoball::SimplexId;
 using orthoball::SiteId;
 
 namespace {
 
-orthoball::ShapeMesh mesh_of(const AlphaShapes& shapes, std::uint32_t index, bool regularized) {
-  return without_gil(shapes, [&](const auto& filtration) {
-    return orthoball::shape_mesh(filtration, shapes.points(), index, regularized);
-  });
+[[noreturn]] void refuse(const std::string& message) {
+  throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow, message);
+}
+
+OneShape edited(const AlphaShapes& shapes, std::uint32_t index, double alpha2,
+                const orthoball::ShapeEdits& edits) {
+  const nb::gil_scoped_release released;
+  return std::visit(
+      [&](const auto& filtration) {
+        return OneShape{&shapes, alpha2, orthoball::edited_shape(filtration, index, edits)};
+      },
+      shapes.filtration());
+}
+
+orthoball::ShapeMesh mesh_of(const OneShape& shape) {
+  return without_gil(
+      shape, [&](const auto& complex) { return orthoball::shape_mesh(complex, shape.points()); });
 }
 
 std::vector<std::uint8_t> numbers(const std::vector<Role>& roles) {
@@ -35,8 +54,8 @@ std::vector<std::uint8_t> numbers(const std::vector<Role>& roles) {
   return result;
 }
 
-nb::dict boundary(const AlphaShapes& shapes, std::uint32_t index, bool regularized) {
-  orthoball::ShapeMesh mesh = mesh_of(shapes, index, regularized);
+nb::dict boundary(const OneShape& shape) {
+  orthoball::ShapeMesh mesh = mesh_of(shape);
   const std::size_t vertices = mesh.rows.size(), triangles = mesh.triangles.size(),
                     edges = mesh.edges.size();
   nb::dict result;
@@ -51,15 +70,15 @@ nb::dict boundary(const AlphaShapes& shapes, std::uint32_t index, bool regulariz
 }
 
 // The D-simplices of the complex, positively oriented, as rows.
-Array<std::uint32_t> cells(const AlphaShapes& shapes, std::uint32_t index) {
-  const auto width = static_cast<std::size_t>(shapes.dimension()) + 1;
-  auto rows = without_gil(shapes, [&]<int D>(const Filtration<D>& filtration) {
-    const auto& triangulation = filtration.triangulation();
+Array<std::uint32_t> cells(const OneShape& shape) {
+  const auto width = static_cast<std::size_t>(shape.shapes->dimension()) + 1;
+  auto rows = without_gil(shape, [&]<int D>(const AlphaComplex<D>& complex) {
+    const auto& triangulation = complex.filtration().triangulation();
     const auto records = triangulation.template cells<D>();
-    const std::uint32_t first = filtration.table().first(D);
+    const std::uint32_t first = complex.filtration().table().first(D);
     std::vector<SiteId> in_complex;
     for (std::uint32_t cell = 0; cell < records.size(); ++cell) {
-      if (filtration.enters(SimplexId(first + cell)) > index) continue;
+      if (!complex.contains(SimplexId(first + cell))) continue;
       for (const std::uint32_t v : records[cell].corners) {
         in_complex.push_back(triangulation.sites().row(v));
       }
@@ -70,20 +89,18 @@ Array<std::uint32_t> cells(const AlphaShapes& shapes, std::uint32_t index) {
   return owned<std::uint32_t>(std::move(rows), {size, width});
 }
 
-const Filtration<2>& plane(const AlphaShapes& shapes) {
-  if (shapes.dimension() == 2) return std::get<Filtration<2>>(shapes.filtration());
-  using orthoball::InputError;
-  throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
-                   "the points are in space; polygons are for points in the plane");
+const AlphaComplex<2>& plane(const OneShape& shape) {
+  if (const auto* it = std::get_if<orthoball::EditedShape<2>>(&shape.edited)) return it->complex;
+  refuse("the points are in space; polygons are for points in the plane");
 }
 
 // Of each polygon its rings, of each ring its rows.
-nb::list polygons(const AlphaShapes& shapes, std::uint32_t index) {
-  const Filtration<2>& filtration = plane(shapes);
+nb::list polygons(const OneShape& shape) {
+  const AlphaComplex<2>& complex = plane(shape);
   std::vector<orthoball::Polygon> found;
   {
     const nb::gil_scoped_release released;
-    found = orthoball::polygons(filtration, index);
+    found = orthoball::polygons(complex);
   }
   nb::list result;
   for (const orthoball::Polygon& polygon : found) {
@@ -91,7 +108,7 @@ nb::list polygons(const AlphaShapes& shapes, std::uint32_t index) {
     for (const auto& ring : polygon.rings) {
       std::vector<SiteId> rows;
       for (const orthoball::VertexId v : ring) {
-        rows.push_back(filtration.triangulation().sites().row(v.row()));
+        rows.push_back(complex.filtration().triangulation().sites().row(v.row()));
       }
       rings.append(owned<std::uint32_t>(std::move(rows)));
     }
@@ -100,46 +117,77 @@ nb::list polygons(const AlphaShapes& shapes, std::uint32_t index) {
   return result;
 }
 
-nb::bytes as_bytes(const std::ostringstream& stream) {
+// A boundary as a file of some format would hold it.
+nb::bytes file_bytes(const OneShape& shape, const std::string& format, bool roles) {
+  std::ostringstream stream;
+  orthoball::ByteSink sink(stream, "null");
+  if (format == "geojson" || format == "svg") {
+    const AlphaComplex<2>& complex = plane(shape);
+    const nb::gil_scoped_release released;
+    const orthoball::PlanarShapeOptions options{shape.alpha2, roles};
+    if (format == "geojson") write_geojson(sink, complex, shape.points(), options);
+    if (format == "svg") write_shape_svg(sink, complex, shape.points(), options);
+  } else if (const auto mesh_format = orthoball::mesh_format(format)) {
+    write_mesh(sink, mesh_of(shape), {*mesh_format, roles, shape.alpha2});
+  } else {
+    refuse("\"" + format + "\" is no format of shapes; they are ply, obj, off, stl, vtu, glb, " +
+           "and in the plane geojson and svg");
+  }
+  sink.flush();
   const std::string text = stream.str();
   return nb::bytes(text.data(), text.size());
 }
 
-// A boundary as a file of some format would hold it.
-nb::bytes file_bytes(const AlphaShapes& shapes, std::uint32_t index, double alpha2,
-                     bool regularized, const std::string& format, bool roles) {
-  std::ostringstream stream;
-  orthoball::ByteSink sink(stream, "null");
-  if (format == "geojson" || format == "svg") {
-    const Filtration<2>& filtration = plane(shapes);
-    const nb::gil_scoped_release released;
-    const orthoball::PlanarShapeOptions options{index, alpha2, regularized, roles};
-    if (format == "geojson") write_geojson(sink, filtration, shapes.points(), options);
-    if (format == "svg") write_shape_svg(sink, filtration, shapes.points(), options);
-  } else if (const auto mesh_format = orthoball::mesh_format(format)) {
-    write_mesh(sink, mesh_of(shapes, index, regularized), {*mesh_format, roles, alpha2});
-  } else {
-    using orthoball::InputError;
-    throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
-                     "\"" + format +
-                         "\" is no format of shapes; they are ply, obj, off, stl, vtu, " +
-                         "glb, and in the plane geojson and svg");
+// Volume, area and Betti numbers of the whole.
+nb::tuple measures(const OneShape& shape) {
+  const auto whole =
+      without_gil(shape, [](const auto& complex) { return orthoball::whole_shape(complex); });
+  nb::list betti;
+  for (int k = 0; k < shape.shapes->dimension(); ++k) {
+    betti.append(whole.betti[static_cast<std::size_t>(k)]);
   }
-  sink.flush();
-  return as_bytes(stream);
+  return nb::make_tuple(whole.volume, whole.area, nb::tuple(betti));
+}
+
+// What was done to it.
+nb::dict edits(const OneShape& shape) {
+  return std::visit(
+      [](const auto& edited) {
+        nb::dict result;
+        result["holes_filled"] = edited.holes_filled;
+        result["volume_filled"] = edited.volume_filled;
+        result["regions_dropped"] = edited.regions_dropped;
+        result["volume_dropped"] = edited.volume_dropped;
+        return result;
+      },
+      shape.edited);
 }
 
 }  // namespace
 
 void bind_shape(nb::module_& module) {
-  module.def("boundary", &boundary, nb::arg("shapes"), nb::arg("index"), nb::arg("regularized"),
-             "The arrays of the boundary at an index, numbered by the vertices that are used.");
-  module.def("cells", &cells, nb::arg("shapes"), nb::arg("index"),
-             "The cells of the complex at an index, (k, D + 1) uint32 rows, positively oriented.");
+  nb::class_<OneShape>(module, "OneShape", "One shape of a family; see orthoball.Shape.")
+      .def_prop_ro("edits", &edits, "Numbers and volumes of holes filled and regions left out.");
   module.def(
-      "polygons", &polygons, nb::arg("shapes"), nb::arg("index"),
+      "edited",
+      [](const AlphaShapes& shapes, std::uint32_t index, double alpha2, bool regularized,
+         std::optional<double> hole_threshold, std::optional<double> region_threshold,
+         std::uint32_t region) {
+        return edited(shapes, index, alpha2,
+                      {regularized, hole_threshold, region_threshold, region});
+      },
+      nb::arg("shapes"), nb::arg("index"), nb::arg("alpha2"), nb::arg("regularized"),
+      nb::arg("hole_threshold").none(), nb::arg("region_threshold").none(), nb::arg("region"),
+      nb::keep_alive<0, 1>(), "The shape at an index, with holes filled and regions left out.");
+  module.def("boundary", &boundary, nb::arg("shape"),
+             "The arrays of a boundary, numbered by the vertices that are used.");
+  module.def("cells", &cells, nb::arg("shape"),
+             "The cells of a shape, (k, D + 1) uint32 rows, positively oriented.");
+  module.def(
+      "polygons", &polygons, nb::arg("shape"),
       "In the plane: a list of polygons, each a list of rings, each the rows of its vertices.");
-  module.def("file_bytes", &file_bytes, nb::arg("shapes"), nb::arg("index"), nb::arg("alpha2"),
-             nb::arg("regularized"), nb::arg("format"), nb::arg("roles"),
-             "The shape at an index as the bytes of a file.");
+  module.def("file_bytes", &file_bytes, nb::arg("shape"), nb::arg("format"), nb::arg("roles"),
+             "A shape as the bytes of a file.");
+  module.def("measures", &measures, nb::arg("shape"),
+             "Volume, area and Betti numbers of a whole shape.");
 }

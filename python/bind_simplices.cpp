@@ -3,11 +3,11 @@
 #include <nanobind/stl/optional.h>
 
 #include <algorithm>
-#include <array>
-#include <vector>
+#include <optional>
+#include <variant>
 
 #include "orthoball/error.h"
-#include "orthoball/filtration/filter.h"
+#include "orthoball/filtration/filter_columns.h"
 #include "orthoball/raw_vector.h"
 #include "python/arrays.h"
 #include "python/module.h"
@@ -71,86 +71,89 @@ nb::tuple simplices(const Filtration<D>& filtration, int dimension, nb::handle o
                         owned<std::uint32_t>(std::move(interior)));
 }
 
-// The columns of a filter, by position.
-struct FilterColumns {
-  explicit FilterColumns(std::size_t size, std::size_t width)
-      : dimensions(size),
-        rows(size * width),
-        alpha2(size),
-        enters(size),
-        regular(size),
-        interior(size) {}
-
-  orthoball::RawVector<std::uint8_t> dimensions;
-  Rows rows;  // [width * position + i]
-  orthoball::RawVector<double> alpha2;
-  Indices enters, regular, interior;
+// The columns of a filter; of shapes that outlive them.
+struct FilterArrays {
+  std::variant<orthoball::FilterColumns<2>, orthoball::FilterColumns<3>> columns;
 };
 
-// All of one simplex, so that it is written to one place.
-template <int D>
-struct FilterRow {
-  std::array<SiteId, std::size_t{D} + 1> rows;
-  std::uint32_t enters, regular, interior, dimension;
-};
-
-// Simplices are visited as they lie in memory and written where they belong, which is faster than
-// the other way round; then rows become columns.
-template <int D>
-FilterColumns filter_columns(const Filtration<D>& filtration, std::uint32_t index,
-                             orthoball::Threads threads) {
-  const orthoball::Filter<D> filter(filtration, threads);
-  const std::size_t size = filter.complex_size(index);
-  Indices position(filtration.size());
-  {
-    const std::vector<SimplexId> order = filter.by_rows();
-    for_each(order.size(), threads,
-             [&](std::size_t i) { position[order[i].row()] = static_cast<std::uint32_t>(i); });
-  }
-  orthoball::RawVector<FilterRow<D>> table(size);
-  for (int dimension = 0; dimension <= D; ++dimension) {
-    const std::size_t first = filtration.table().first(dimension);
-    for_each(filtration.count(dimension), threads, [&](std::size_t i) {
-      const SimplexId simplex(static_cast<std::uint32_t>(first + i));
-      const std::size_t at = position[simplex.row()];
-      if (at >= size) return;
-      FilterRow<D> row{{},
-                       filtration.enters(simplex),
-                       filtration.regular(simplex),
-                       filtration.interior(simplex),
-                       static_cast<std::uint32_t>(dimension)};
-      const auto rows = filtration.rows(simplex);
-      std::copy(rows.begin(), rows.end(), row.rows.begin());
-      table[at] = row;
-    });
-  }
-  FilterColumns columns(size, D + 1);
-  for_each(size, threads, [&](std::size_t i) {
-    const FilterRow<D>& row = table[i];
-    std::copy(row.rows.begin(), row.rows.end(), &columns.rows[(D + 1) * i]);
-    columns.dimensions[i] = static_cast<std::uint8_t>(row.dimension);
-    columns.enters[i] = row.enters;
-    columns.regular[i] = row.regular;
-    columns.interior[i] = row.interior;
-    columns.alpha2[i] = filtration.alpha2(row.enters);
+FilterArrays filter_arrays(const AlphaShapes& shapes, std::uint32_t index,
+                           std::optional<unsigned> threads) {
+  return without_gil(shapes, [&]<int D>(const Filtration<D>& filtration) {
+    return FilterArrays{orthoball::FilterColumns<D>(filtration, index, threads_of(threads))};
   });
-  return columns;
 }
 
-template <int D>
-nb::tuple filtration_arrays(const Filtration<D>& filtration, std::uint32_t index,
-                            orthoball::Threads threads) {
-  FilterColumns columns = [&] {
+// A column that is there: what `column` gives, `width(D)` numbers a simplex.
+template <class T, class Column, class Width>
+Array<T> column_view(nb::handle self, const Column& column, const Width& width) {
+  return std::visit(
+      [&]<int D>(const orthoball::FilterColumns<D>& columns) {
+        const std::size_t wide = width(D);
+        if (wide == 1) return view<T>(column(columns), self, {columns.size()});
+        return view<T>(column(columns), self, {columns.size(), wide});
+      },
+      nb::cast<const FilterArrays&>(self).columns);
+}
+
+// A column that is made.
+template <class T, class Make>
+Array<T> made_column(const FilterArrays& self, const Make& make) {
+  auto numbers = [&] {
     const nb::gil_scoped_release released;
-    return filter_columns(filtration, index, threads);
+    return std::visit(make, self.columns);
   }();
-  const std::size_t size = columns.alpha2.size();
-  return nb::make_tuple(owned<std::uint8_t>(std::move(columns.dimensions)),
-                        owned<std::uint32_t>(std::move(columns.rows), {size, std::size_t{D} + 1}),
-                        owned<double>(std::move(columns.alpha2)),
-                        owned<std::uint32_t>(std::move(columns.enters)),
-                        owned<std::uint32_t>(std::move(columns.regular)),
-                        owned<std::uint32_t>(std::move(columns.interior)));
+  return owned<T>(std::move(numbers));
+}
+
+void bind_filter(nb::module_& module) {
+  const auto one = [](int) { return std::size_t{1}; };
+  nb::class_<FilterArrays>(module, "FilterColumns", "A complex in filter order, as columns.")
+      .def_prop_ro(
+          "dimension",
+          [one](nb::handle self) {
+            return column_view<std::uint8_t>(
+                self, [](const auto& columns) { return columns.dimensions(); }, one);
+          },
+          nb::sig("def dimension(self) -> numpy.typing.NDArray[numpy.uint8]"), "(n,)")
+      .def_prop_ro(
+          "vertices",
+          [](nb::handle self) {
+            return column_view<std::uint32_t>(
+                self, [](const auto& columns) { return columns.rows(); },
+                [](int dimension) { return static_cast<std::size_t>(dimension) + 1; });
+          },
+          nb::sig("def vertices(self) -> numpy.typing.NDArray[numpy.uint32]"), "(n, D + 1)")
+      .def_prop_ro(
+          "enters",
+          [one](nb::handle self) {
+            return column_view<std::uint32_t>(
+                self, [](const auto& columns) { return columns.enters(); }, one);
+          },
+          nb::sig("def enters(self) -> numpy.typing.NDArray[numpy.uint32]"), "(n,)")
+      .def(
+          "alpha2",
+          [](const FilterArrays& self, std::optional<unsigned> threads) {
+            return made_column<double>(
+                self, [&](const auto& columns) { return columns.alpha2(threads_of(threads)); });
+          },
+          nb::arg("threads").none(), "(n,) float64.")
+      .def(
+          "regular",
+          [](const FilterArrays& self, std::optional<unsigned> threads) {
+            return made_column<std::uint32_t>(
+                self, [&](const auto& columns) { return columns.regular(threads_of(threads)); });
+          },
+          nb::arg("threads").none(), "(n,) uint32.")
+      .def(
+          "interior",
+          [](const FilterArrays& self, std::optional<unsigned> threads) {
+            return made_column<std::uint32_t>(
+                self, [&](const auto& columns) { return columns.interior(threads_of(threads)); });
+          },
+          nb::arg("threads").none(), "(n,) uint32.");
+  module.def("filtration", &filter_arrays, nb::arg("shapes"), nb::arg("index"),
+             nb::arg("threads").none(), nb::keep_alive<0, 1>(),
+             "The complex at an index in filter order.");
 }
 
 // Of every simplex of a dimension, as the number of its orthoball::Role.
@@ -185,17 +188,7 @@ void bind_simplices(nb::module_& module) {
       },
       nb::arg("shapes"), nb::arg("dimension"), nb::arg("threads").none(),
       "Of one dimension: vertices (k, dimension + 1), enters, regular, interior (k,), all uint32.");
-  module.def(
-      "filtration",
-      [](const AlphaShapes& shapes, std::uint32_t index, std::optional<unsigned> threads) {
-        return std::visit(
-            [&](const auto& f) { return filtration_arrays(f, index, threads_of(threads)); },
-            shapes.filtration());
-      },
-      nb::arg("shapes"), nb::arg("index"), nb::arg("threads").none(),
-      "The complex at an index in filter order: dimension uint8, vertices (n, D + 1) uint32, "
-      "alpha2\n"
-      "float64, enters, regular, interior uint32.");
+  bind_filter(module);
   module.def("roles", &roles, nb::arg("shapes"), nb::arg("dimension"), nb::arg("index"),
              nb::arg("threads").none(),
              "Of every simplex of a dimension, (k,) uint8: exterior, singular, regular, interior.");

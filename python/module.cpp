@@ -16,4 +16,6 @@ NB_MODULE(_core, module) {
   bind_balls(module);
   bind_free_space(module);
   bind_queries(module);
+  bind_power_cells(module);
+  bind_view(module);
 }

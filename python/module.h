@@ -21,6 +21,8 @@ void bind_shape(nanobind::module_& module);
 void bind_balls(nanobind::module_& module);
 void bind_free_space(nanobind::module_& module);
 void bind_queries(nanobind::module_& module);
+void bind_power_cells(nanobind::module_& module);
+void bind_view(nanobind::module_& module);
 
 /// At most so many, or one for each core.
 [[nodiscard]] inline orthoball::Threads threads_of(std::optional<unsigned> threads) {

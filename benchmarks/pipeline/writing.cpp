@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
   for (std::uint32_t part = 1; part < 16; ++part) {
     const auto index =
         static_cast<std::uint32_t>(std::uint64_t{filtration.spectrum_size()} * part / 16);
-    ShapeMesh other = shape_mesh(filtration, task.points, index, false);
+    ShapeMesh other = shape_mesh(AlphaComplex(filtration, index), task.points);
     if (other.triangles.size() > mesh.triangles.size()) mesh = std::move(other);
   }
   for (const char* const name : {"ply", "obj", "off", "stl", "vtu", "glb"}) {

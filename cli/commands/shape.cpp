@@ -6,10 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "cli/alpha_options.h"
 #include "cli/commands.h"
+#include "cli/edit_options.h"
 #include "cli/input_options.h"
 #include "cli/json_text.h"
 #include "cli/manifold_report.h"
@@ -30,7 +32,7 @@ struct ShapeOptions {
   AlphaOptions alpha;
   std::string output = "-";
   std::string format;  // empty: from the name of the output
-  bool regularized = false;
+  EditOptions edits;
   bool manifold = false;
   std::string changes;
   bool roles = false;
@@ -95,24 +97,35 @@ struct Solid {
   DroppedSimplices<D> dropped;
 };
 
+// What was written, for the report.
 template <int D>
-void write_report(const ShapeOptions& options, const ChosenAlpha& alpha,
-                  const orthoball::ShapeMesh& mesh, const std::string& format,
-                  const std::optional<Solid<D>>& solid) {
-  const Contents contents = contents_of(mesh);
+struct Written {
+  ChosenAlpha alpha;
+  orthoball::EditedShape<D> shape;
+  std::optional<Solid<D>> solid;
+  orthoball::ShapeMesh mesh;
+};
+
+template <int D>
+void write_report(const ShapeOptions& options, const Written<D>& written,
+                  const std::string& format) {
+  const Contents contents = contents_of(written.mesh);
   nlohmann::ordered_json json{{"file", options.output}, {"format", format}};
   json["name"] = nullptr;
-  if (!alpha.name.empty()) json["name"] = alpha.name;
-  json["index"] = alpha.index;
-  json["alpha2"] = alpha.alpha2;
-  json["alpha"] = alpha.alpha;
-  json["regularized"] = options.regularized;
-  json["vertices"] = mesh.vertex_count();
+  if (!written.alpha.name.empty()) json["name"] = written.alpha.name;
+  json["index"] = written.alpha.index;
+  json["alpha2"] = written.alpha.alpha2;
+  json["alpha"] = written.alpha.alpha;
+  json["regularized"] = options.edits.regularized;
+  add_json(json, written.shape, options.edits);
+  json["vertices"] = written.mesh.vertex_count();
   json["regular"] = contents.regular;
   json["singular"] = {contents.singular_vertices, contents.singular_edges};
-  if (mesh.dimension == 3) json["singular"].push_back(contents.singular_triangles);
+  if (D == 3) json["singular"].push_back(contents.singular_triangles);
   std::size_t missing = 0;
-  if (solid) json["manifold"] = manifold_json<D>(solid->manifold, solid->dropped, missing);
+  if (written.solid) {
+    json["manifold"] = manifold_json<D>(written.solid->manifold, written.solid->dropped, missing);
+  }
   const std::string text = json_text(json) + "\n";
   write_output("-", "", [&](orthoball::ByteSink& sink) {
     sink.text(text);
@@ -121,18 +134,23 @@ void write_report(const ShapeOptions& options, const ChosenAlpha& alpha,
   warn_of_missing(options.input, missing, "null");
 }
 
-void say_report(const ShapeOptions& options, const ChosenAlpha& alpha,
-                const orthoball::ShapeMesh& mesh) {
-  const Contents contents = contents_of(mesh);
-  std::string text = orthoball::counted(contents.regular,
-                                        mesh.dimension == 3 ? "regular triangle" : "regular edge");
-  if (!options.regularized && !options.manifold) {
-    if (mesh.dimension == 3)
-      text += ", " + orthoball::counted(contents.singular_triangles, "singular triangle");
+template <int D>
+void say_report(const ShapeOptions& options, const Written<D>& written) {
+  if (options.edits.are_given()) say(options.input, text_of(written.shape, options.edits));
+  const Contents contents = contents_of(written.mesh);
+  std::string text =
+      orthoball::counted(contents.regular, D == 3 ? "regular triangle" : "regular edge");
+  if (!options.edits.regularized && !options.manifold) {
+    if (D == 3) text += ", " + orthoball::counted(contents.singular_triangles, "singular triangle");
     text += ", " + orthoball::counted(contents.singular_edges, "singular edge") + ", " +
             orthoball::counted(contents.singular_vertices, "singular vertex");
   }
-  say(options.input, text_of(alpha) + ": " + text);
+  say(options.input, text_of(written.alpha) + ": " + text);
+  if (!written.solid) return;
+  for (const std::string& line :
+       manifold_text<D>(written.solid->manifold, written.solid->dropped)) {
+    say(options.input, "manifold: " + line);
+  }
 }
 
 bool is_last(const Loaded& input, std::uint32_t index) {
@@ -178,49 +196,40 @@ template <int D>
 void write_shape(const ShapeOptions& options, const Loaded& input,
                  const orthoball::Filtration<D>& filtration, const ChosenAlpha& alpha,
                  const std::string& format) {
+  auto shape = edited_shape(filtration, alpha.index, edits(options.edits));
   std::optional<Solid<D>> solid;
   if (options.manifold) {
-    solid = {manifold_solid(filtration, alpha.index), dropped_simplices(filtration, alpha.index)};
+    solid = {manifold_solid(shape.complex), dropped_simplices(shape.complex)};
+    shape.complex = complex_of(solid->manifold, shape.complex);
   }
   const auto& points = input.shapes.points();
-  const orthoball::ShapeMesh mesh =
-      solid ? solid_mesh(filtration, points, alpha.index, solid->manifold.contains)
-            : shape_mesh(filtration, points, alpha.index, options.regularized);
+  auto mesh = shape_mesh(shape.complex, points);
+  const Written<D> written{alpha, std::move(shape), std::move(solid), std::move(mesh)};
   write_output(options.output, "null", [&](orthoball::ByteSink& sink) {
     if (const auto mesh_format = orthoball::mesh_format(format)) {
-      return write_mesh(sink, mesh, {*mesh_format, options.roles, alpha.alpha2});
+      return write_mesh(sink, written.mesh, {*mesh_format, options.roles, alpha.alpha2});
     }
     if constexpr (D == 2) {
-      const orthoball::PlanarShapeOptions planar{
-          alpha.index, alpha.alpha2, options.regularized || options.manifold, options.roles,
-          solid ? &solid->manifold.contains : nullptr};
-      if (format == "geojson") write_geojson(sink, filtration, points, planar);
-      if (format == "svg") write_shape_svg(sink, filtration, points, planar);
+      const orthoball::PlanarShapeOptions planar{alpha.alpha2, options.roles};
+      if (format == "geojson") write_geojson(sink, written.shape.complex, points, planar);
+      if (format == "svg") write_shape_svg(sink, written.shape.complex, points, planar);
     }
   });
   MissingNumbers missing;
   if (!options.changes.empty()) {
-    write_table(options.changes, missing,
-                [&](orthoball::ByteSink& sink, orthoball::TableFormat table) {
-                  write_solid_changes<D>(sink, table, filtration, alpha.index, solid->manifold);
-                });
+    write_table(
+        options.changes, missing, [&](orthoball::ByteSink& sink, orthoball::TableFormat table) {
+          write_solid_changes<D>(sink, table, filtration, alpha.index, written.solid->manifold);
+        });
   }
-  if (options.json) {
-    write_report<D>(options, alpha, mesh, format, solid);
-  } else {
-    say_report(options, alpha, mesh);
-    if (solid) {
-      for (const std::string& line : manifold_text<D>(solid->manifold, solid->dropped)) {
-        say(options.input, "manifold: " + line);
-      }
-    }
-  }
-  warn(options, input, alpha, mesh, format);
+  options.json ? write_report(options, written, format) : say_report(options, written);
+  warn(options, input, alpha, written.mesh, format);
 }
 
 void run(const ShapeOptions& options) {
   const std::string format = format_of(options);
   check_options(options);
+  (void)edits(options.edits);  // refused before the work, if at all
   Progress progress(
       options.input.progress, options.input.quiet,
       {Stage::reading, Stage::triangulation, Stage::filtration, Stage::writing_shape});
@@ -246,6 +255,7 @@ void add_shape_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("shape", "The boundary of the shape at one alpha as a mesh or a map.");
   add_alpha_options(*command, options->alpha, false, "auto");
+  add_edit_options(*command, options->edits);
   const std::string group = "Output";
   command->add_option("-o,--output", options->output, "file, or - for standard output")
       ->type_name("FILE")
@@ -259,16 +269,12 @@ void add_shape_command(CLI::App& app) {
       ->check(CLI::IsMember({"ply", "obj", "off", "stl", "vtu", "glb", "geojson", "svg"})
                   .description(""))
       ->group(group);
-  command
-      ->add_flag("--regularized", options->regularized,
-                 "without singular simplices: the boundary of the solid part only")
-      ->group(group);
   auto* const manifold =
       command
           ->add_flag("--manifold", options->manifold,
                      "a closed surface to be printed: the solid part only, cells added or\n"
                      "removed where it is no manifold; see below")
-          ->group(group);
+          ->group("Parts");
   command
       ->add_option("--changes", options->changes,
                    "with --manifold, what was changed and left out, as CSV or JSON")
@@ -287,11 +293,16 @@ void add_shape_command(CLI::App& app) {
       "vertices, parts of the shape that bound no tetrahedron, are kept where the format can hold\n"
       "them: stl and off hold triangles only. Coordinates are those of INPUT; stl and glb round\n"
       "them to 24 bits. ply and vtu name the input row of every vertex.\n\n"
+      "Regions are the components of the shape, holes the bounded components of what is around "
+      "it.\n"
+      "Holes are filled first, then regions left out; the report says how many.\n\n"
       "--manifold: every surface is closed, oriented and a manifold: two triangles at every edge,\n"
       "one ring of them around every vertex (in the plane: closed outlines that touch nowhere).\n"
-      "Where the boundary of the solid part is none, as little volume of tetrahedra as a local\n"
-      "search finds is added or removed; no point is added or split, and singular simplices are\n"
-      "left out. What was done is said, listed by --json, and by --changes place for place.\n\n"
+      "Where the boundary of what is left is none, as little volume of tetrahedra as a local "
+      "search\n"
+      "finds is added or removed; no point is added or split, and singular simplices are left "
+      "out.\n"
+      "What was done is said, listed by --json, and by --changes place for place.\n\n"
       "--alpha2 auto: 0 where weights are the radii of a molecule (the dual complex of its\n"
       "atoms); without weights the first alpha2 at which the shape is one solid piece with every\n"
       "point; else the first from which on it is one piece. Which was taken is said.\n\n"
@@ -299,6 +310,8 @@ void add_shape_command(CLI::App& app) {
       "  orthoball shape bunny.off -o surface.ply\n"
       "  orthoball shape bunny.off --alpha 0.01 --manifold -o print.stl\n"
       "  orthoball shape 1ubq.pdb --alpha 1.4 -o ubiquitin.glb --roles\n"
-      "  orthoball shape airports.csv --alpha2 auto -o outline.geojson");
+      "  orthoball shape airports.csv --alpha2 auto -o outline.geojson\n"
+      "  orthoball shape cells.csv --alpha 2 --regularized --region 1 --hole-threshold 50 -o "
+      "cell.svg");
   command->callback([options] { run(*options); });
 }

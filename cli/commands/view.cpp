@@ -21,17 +21,14 @@
 #include "cli/usage_error.h"
 #include "cli/viewer_page.h"
 #include "orthoball/error.h"
-#include "orthoball/output/encoded_output.h"
+#include "orthoball/output/page.h"
 #include "orthoball/output/snapshot.h"
 
 extern char** environ;
 
 namespace {
 
-constexpr std::string_view kTitle = "%ORTHOBALL_TITLE%", kSnapshot = "%ORTHOBALL_SNAPSHOT%",
-                           kGenerator = "<meta name=\"generator\" content=\"orthoball",
-                           kNextPart = "</script>\n<script type=\"application/gzip\">";
-constexpr std::size_t kPart = std::size_t{1} << 27U;  // browsers lose elements of half a gigabyte
+constexpr std::string_view kGenerator = "<meta name=\"generator\" content=\"orthoball";
 
 struct ViewOptions {
   InputOptions input;
@@ -68,20 +65,6 @@ std::string output_of(const ViewOptions& options) {
   return output;
 }
 
-std::string html_text(const std::string& text) {
-  std::string html;
-  for (const char c : text) {
-    if (c == '&') {
-      html += "&amp;";
-    } else if (c == '<') {
-      html += "&lt;";
-    } else {
-      html += c;
-    }
-  }
-  return html;
-}
-
 orthoball::SnapshotFacts facts_of(const ViewOptions& options, const Loaded& input) {
   const auto given = chosen_alphas(options.alpha, input);
   const ChosenAlpha start = given.empty() ? automatic_alpha(input) : given[0];
@@ -96,36 +79,6 @@ orthoball::SnapshotFacts facts_of(const ViewOptions& options, const Loaded& inpu
           .index = start.index,
           .alpha2 = start.alpha2,
           .chosen_because = start.reason};
-}
-
-void write_page(orthoball::ByteSink& sink, const Loaded& input,
-                const orthoball::SnapshotFacts& facts, orthoball::Threads threads) {
-  std::string_view page = viewer_page();
-  const auto write_until = [&](std::string_view place) {
-    const std::size_t end = page.find(place);
-    sink.text(page.substr(0, end));
-    page.remove_prefix(end + place.size());
-  };
-  write_until(kTitle);
-  sink.text(html_text(facts.source));
-  write_until(kSnapshot);
-  {
-    orthoball::Base64Output text(sink, std::string(kNextPart), kPart);
-    orthoball::ByteSink packed(text);
-    orthoball::GzipOutput gzip(packed);
-    orthoball::ByteSink snapshot(gzip, "null");
-    std::visit(
-        [&](const auto& filtration) {
-          write_snapshot(snapshot, filtration, input.shapes.points(), input.reading.labels, facts,
-                         threads);
-        },
-        input.shapes.filtration());
-    gzip.finish();
-    packed.flush();
-    text.finish();
-  }
-  sink.text(page);
-  sink.flush();
 }
 
 // Shows a file as the desktop does. Nothing is said where that fails: its path is.
@@ -179,13 +132,17 @@ void run(const ViewOptions& options) {
       [&](const auto& filtration) {
         require_memory(options.input,
                        orthoball::signature_memory(filtration.size()) +
-                           orthoball::persistence_memory(filtration.size(), false) +
                            std::uint64_t{48} * filtration.spectrum_size(),
                        "the page");
       },
       input.shapes.filtration());
   write_output(output, "", [&](orthoball::ByteSink& sink) {
-    write_page(sink, input, facts, threads_of(options.input));
+    std::visit(
+        [&](const auto& filtration) {
+          write_page(sink, viewer_page(), filtration, input.shapes.points(), input.reading.labels,
+                     facts, threads_of(options.input));
+        },
+        input.shapes.filtration());
   });
   progress.end();
   if (output == "-") return;

@@ -14,7 +14,8 @@ from ._arrays import as_float64, as_points
 from ._balls import Balls
 from ._points import sites_of
 from ._shape import Shape
-from ._tables import Diagram, Filtration, NotableAlpha, Signatures, Simplices
+from ._tables import Diagram, Filtration, NotableAlpha, PowerCells, Signatures, Simplices
+from ._view import View, is_notebook
 
 
 class AlphaShapes:
@@ -58,9 +59,11 @@ class AlphaShapes:
         threads: int | None = None,
     ):
         self._threads = threads
+        self._reading = None
         if isinstance(points, _core.Reading) and weights is None and radii is None:
             self._core = _core.AlphaShapes(points, threads)
             self._is_molecule = points.is_molecule
+            self._reading = points
             return
         if isinstance(points, _core.Reading):
             points = points.points
@@ -147,7 +150,7 @@ class AlphaShapes:
         if alpha2 is None and index is None:
             index = len(self.spectrum)
         at, _ = self._chosen(alpha2, None, None, index)
-        return Filtration(*_core.filtration(self._core, at, self._threads))
+        return Filtration(_core.filtration(self._core, at, self._threads), self._threads)
 
     def role(
         self,
@@ -251,6 +254,9 @@ class AlphaShapes:
         inverse_alpha: float | None = None,
         index: int | None = None,
         regularized: bool = False,
+        hole_threshold: float | None = None,
+        region_threshold: float | None = None,
+        region: int | None = None,
     ) -> Shape:
         """One alpha shape.
 
@@ -260,6 +266,10 @@ class AlphaShapes:
             inverse_alpha: instead 1/alpha, as some packages call alpha.
             index: instead an index of the spectrum, 0 (the empty shape) to s.
             regularized: without singular simplices, the solid part only.
+            hole_threshold: holes of at most this volume (length^D) are filled: bounded components
+                of what is around the shape.
+            region_threshold: then regions of at most this volume are left out: components.
+            region: then only the region with this number is kept, 1 being the largest.
 
         Without any of the four forms that of `automatic_alpha`.
         """
@@ -269,7 +279,7 @@ class AlphaShapes:
             at, taken = notable.index or 0, notable.alpha2
         else:
             at, taken = self._chosen(*given)
-        return Shape(self, at, taken, regularized)
+        return Shape(self, at, taken, regularized, hole_threshold, region_threshold, region)
 
     def balls(self, alpha2: float = 0.0, probe: float = 0.0) -> Balls:
         """The union of the balls of squared radius weight + alpha2.
@@ -285,9 +295,23 @@ class AlphaShapes:
         grown = self if probe == 0 else self._with_probe(float(probe))
         return Balls(grown, float(alpha2), float(probe))
 
+    def power_cells(self, box: ArrayLike | None = None, *, surfaces: bool = False) -> PowerCells:
+        """The power (weighted Voronoi) cells of the points, cut by a box.
+
+        Args:
+            box: (2, D) its lower and its upper corner, lengths; by default the box around the balls,
+                a tenth larger.
+            surfaces: also corners and facets of every cell.
+
+        By Aurenhammer, Power diagrams, SIAM Journal on Computing 16, 1987.
+        """
+        corners = None if box is None else as_float64(box, "box").ravel().tolist()
+        return PowerCells(**_core.power_cells(self._core, corners, surfaces, self._threads))
+
     def _with_probe(self, probe: float) -> AlphaShapes:
         grown = object.__new__(AlphaShapes)
         grown._threads, grown._is_molecule = self._threads, self._is_molecule
+        grown._reading = self._reading
         grown._core = self._core.with_probe(probe, self._threads)
         return grown
 
@@ -317,6 +341,30 @@ class AlphaShapes:
         from ._plots import plot_signatures
 
         return plot_signatures(self, columns or ("betti",), axis, ax)
+
+    def view(
+        self,
+        alpha2: float | None = None,
+        *,
+        alpha: float | None = None,
+        inverse_alpha: float | None = None,
+        index: int | None = None,
+        open: bool | None = None,
+    ) -> View:
+        """All shapes in the viewer: inline in a notebook, elsewhere in a browser. The page is what
+        `orthoball view` writes for the same file.
+
+        Args:
+            alpha2: which shape is shown first; or one of the other forms, as in `shape`. By default
+                that of `automatic_alpha`.
+            open: whether a browser is opened; by default outside of notebooks.
+
+        Raises RuntimeError where the package was built without the viewer.
+        """
+        view = View(self, (alpha2, alpha, inverse_alpha, index))
+        if open or (open is None and not is_notebook()):
+            view.open()
+        return view
 
     def plot_shape(self, alpha2: float | None = None, *, ax: Any = None, **forms: Any) -> Any:
         """Draws one shape with matplotlib; takes what `shape` takes. Returns the axes."""

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from ._tables import OutlineCurve, PowerCells
 
 if TYPE_CHECKING:
     from ._alpha_shapes import AlphaShapes
@@ -218,6 +219,61 @@ class Balls:
 
     def _free(self, find: Any, *options: Any) -> Any:
         return find(self._shapes._core, self.index, self._alpha2, *options, self._shapes._threads)
+
+    def power_cells(self, *, surfaces: bool = False, tolerance: float = 0.02) -> PowerCells:
+        """The power cells of the balls that are not empty, cut by their balls: what each has of the
+        union.
+
+        Args:
+            surfaces: also corners and facets of every cell.
+            tolerance: the largest distance of such a surface from the sphere, by its radius.
+        """
+        union = self._measured(True, False)
+        return PowerCells(
+            **_core.power_cells_in_balls(
+                self._shapes._core, union, surfaces, tolerance, self._shapes._threads
+            )
+        )
+
+    def outline(self) -> tuple[OutlineCurve, ...]:
+        """In the plane: the outline of the disks as closed curves, outer ones counterclockwise, around
+        holes clockwise.
+
+        Raises InputError in space.
+        """
+        curves = _core.outline(self._shapes._core, self.index, self._alpha2)
+        return tuple(OutlineCurve(*curve) for curve in curves)
+
+    def figure(
+        self,
+        *panels: str,
+        style: str = "colour",
+        legend: bool = True,
+        title: str = "",
+    ) -> bytes:
+        """In the plane: the disks and their union, its parts and the dual complex as SVG, circles as
+        exact arcs.
+
+        Args:
+            panels: some of "disks", "cells", "complex", from left to right; by default all.
+            style: "colour" or "print", in black, white and grey.
+            legend: title, captions and legend around the panels.
+            title: above.
+
+        Raises InputError in space.
+        """
+        if style not in ("colour", "print"):
+            raise _core.InputError(f'the style is {style!r}; it is "colour" or "print"')
+        wanted = list(panels or ("disks", "cells", "complex"))
+        return _core.figure(
+            self._shapes._core,
+            self.index,
+            self._alpha2,
+            wanted,
+            style == "print",
+            legend,
+            title,
+        )
 
     @cached_property
     def molecular_surface(self) -> MolecularSurface:

@@ -171,11 +171,32 @@ def simplices(shapes: object, dimension: int, threads: int | None) -> tuple:
     Of one dimension: vertices (k, dimension + 1), enters, regular, interior (k,), all uint32.
     """
 
-def filtration(shapes: AlphaShapes, index: int, threads: int | None) -> tuple:
-    """
-    The complex at an index in filter order: dimension uint8, vertices (n, D + 1) uint32, alpha2
-    float64, enters, regular, interior uint32.
-    """
+class FilterColumns:
+    """A complex in filter order, as columns."""
+
+    @property
+    def dimension(self) -> numpy.typing.NDArray[numpy.uint8]:
+        """(n,)"""
+
+    @property
+    def vertices(self) -> numpy.typing.NDArray[numpy.uint32]:
+        """(n, D + 1)"""
+
+    @property
+    def enters(self) -> numpy.typing.NDArray[numpy.uint32]:
+        """(n,)"""
+
+    def alpha2(self, threads: int | None) -> Annotated[NDArray[numpy.float64], dict(order='C', writable=False)]:
+        """(n,) float64."""
+
+    def regular(self, threads: int | None) -> Annotated[NDArray[numpy.uint32], dict(order='C', writable=False)]:
+        """(n,) uint32."""
+
+    def interior(self, threads: int | None) -> Annotated[NDArray[numpy.uint32], dict(order='C', writable=False)]:
+        """(n,) uint32."""
+
+def filtration(shapes: AlphaShapes, index: int, threads: int | None) -> FilterColumns:
+    """The complex at an index in filter order."""
 
 def roles(shapes: AlphaShapes, dimension: int, index: int, threads: int | None) -> Annotated[NDArray[numpy.uint8], dict(order='C', writable=False)]:
     """
@@ -203,23 +224,32 @@ def notable_alphas(shapes: AlphaShapes) -> list:
 def automatic_alpha(shapes: AlphaShapes, is_molecule: bool) -> tuple:
     """The same of the one that is taken where none is named."""
 
-def boundary(shapes: AlphaShapes, index: int, regularized: bool) -> dict:
-    """
-    The arrays of the boundary at an index, numbered by the vertices that are used.
-    """
+class OneShape:
+    """One shape of a family; see orthoball.Shape."""
 
-def cells(shapes: AlphaShapes, index: int) -> Annotated[NDArray[numpy.uint32], dict(order='C', writable=False)]:
-    """
-    The cells of the complex at an index, (k, D + 1) uint32 rows, positively oriented.
-    """
+    @property
+    def edits(self) -> dict:
+        """Numbers and volumes of holes filled and regions left out."""
 
-def polygons(shapes: AlphaShapes, index: int) -> list:
+def edited(shapes: AlphaShapes, index: int, alpha2: float, regularized: bool, hole_threshold: float | None, region_threshold: float | None, region: int) -> OneShape:
+    """The shape at an index, with holes filled and regions left out."""
+
+def boundary(shape: OneShape) -> dict:
+    """The arrays of a boundary, numbered by the vertices that are used."""
+
+def cells(shape: OneShape) -> Annotated[NDArray[numpy.uint32], dict(order='C', writable=False)]:
+    """The cells of a shape, (k, D + 1) uint32 rows, positively oriented."""
+
+def polygons(shape: OneShape) -> list:
     """
     In the plane: a list of polygons, each a list of rings, each the rows of its vertices.
     """
 
-def file_bytes(shapes: AlphaShapes, index: int, alpha2: float, regularized: bool, format: str, roles: bool) -> bytes:
-    """The shape at an index as the bytes of a file."""
+def file_bytes(shape: OneShape, format: str, roles: bool) -> bytes:
+    """A shape as the bytes of a file."""
+
+def measures(shape: OneShape) -> tuple:
+    """Volume, area and Betti numbers of a whole shape."""
 
 class UnionOfBalls:
     """The measures of a union of balls; see orthoball.Balls."""
@@ -280,11 +310,37 @@ def enters_at(shapes: AlphaShapes, points: Annotated[NDArray[numpy.float64], dic
     size plus 1 outside the convex hull.
     """
 
-def nearest(shapes: AlphaShapes, index: int, points: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], regularized: bool, threads: int | None) -> tuple:
+def contains(shape: OneShape, points: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], threads: int | None) -> Annotated[NDArray[numpy.bool_], dict(order='C', writable=False)]:
+    """(n,) whether points are in a shape."""
+
+def locate(shape: OneShape, points: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], threads: int | None) -> tuple:
+    """Regions (n,), simplices (n, D + 1), and as `nearest`."""
+
+def nearest(shape: OneShape, points: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], threads: int | None) -> tuple:
     """
     The nearest points of the boundary (n, D), their distances (n,), the rows of their
     simplices (n, D) uint32.
     """
 
-def regions(shapes: AlphaShapes, index: int, joined_by: str) -> list:
-    """The regions of the shape at an index, a dict each."""
+def regions(shape: OneShape, joined_by: str) -> list:
+    """The regions of a shape, a dict each."""
+
+def holes(shape: OneShape) -> list:
+    """The holes of a shape, a dict each."""
+
+def power_cells(shapes: AlphaShapes, box: Sequence[float] | None, surfaces: bool, threads: int | None) -> dict:
+    """The power cells cut by a box."""
+
+def power_cells_in_balls(shapes: AlphaShapes, balls: UnionOfBalls, surfaces: bool, tolerance: float, threads: int | None) -> dict:
+    """The power cells cut by their balls."""
+
+def outline(shapes: AlphaShapes, index: int, alpha2: float) -> list:
+    """
+    Closed curves of arcs: rows (k,), and (k, 8): centre, radius, from, to, turn.
+    """
+
+def figure(shapes: AlphaShapes, index: int, alpha2: float, panels: Sequence[str], print: bool, legend: bool, title: str) -> bytes:
+    """The union of disks and its dual complex as SVG."""
+
+def page(shapes: AlphaShapes, reading: Reading | None, is_molecule: bool, viewer: bytes, index: int, alpha2: float, chosen_because: str, threads: int | None) -> bytes:
+    """The viewer's page with all shapes in it."""

@@ -73,7 +73,7 @@ def _draw_in_plane(shape: Shape, ax: Any) -> None:
     from matplotlib.path import Path
 
     points = shape.shapes.points
-    for rings in _core.polygons(shape.shapes._core, shape.index):
+    for rings in _core.polygons(shape._core):
         path = Path.make_compound_path(
             *(Path(points[np.append(ring, ring[0])], closed=True) for ring in rings)
         )

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from . import _core, _exports
 from ._arrays import as_points
-from ._tables import Nearest, Region, Role, Signatures
+from ._tables import NONE, Located, Nearest, Region, Role, ShapeEdits, Signatures
 
 if TYPE_CHECKING:
     from ._alpha_shapes import AlphaShapes
@@ -26,12 +26,28 @@ class Shape:
     are corners. Found when first asked for, then kept.
     """
 
-    def __init__(self, shapes: AlphaShapes, index: int, alpha2: float, regularized: bool):
+    def __init__(
+        self,
+        shapes: AlphaShapes,
+        index: int,
+        alpha2: float,
+        regularized: bool,
+        hole_threshold: float | None,
+        region_threshold: float | None,
+        region: int | None,
+    ):
         self._shapes = shapes
         self._index, self._alpha2, self._regularized = index, alpha2, regularized
+        self._parts = (hole_threshold, region_threshold, region)
+        if region is not None and not 1 <= region < NONE:
+            raise _core.InputError(f"there is no region {region}; regions are numbered from 1")
+        self._core: _core.OneShape = _core.edited(
+            shapes._core, index, alpha2, regularized, hole_threshold, region_threshold, region or 0
+        )
 
     def __repr__(self) -> str:
         solid = "solid part of the " if self.regularized else ""
+        solid = "parts of the " + solid if not self._is_whole else solid
         return (
             f"<orthoball.Shape: {solid}shape at index {self.index}, alpha2 {self.alpha2}, "
             f"of {self.shapes.site_count} sites>"
@@ -62,11 +78,16 @@ class Shape:
         """Whether singular simplices are left out."""
         return self._regularized
 
+    @property
+    def edits(self) -> ShapeEdits:
+        """How many holes were filled and regions left out by thresholds."""
+        return ShapeEdits(**self._core.edits)
+
     # What it is made of.
 
     @cached_property
     def _boundary(self) -> dict[str, Any]:
-        return _core.boundary(self._shapes._core, self._index, self._regularized)
+        return _core.boundary(self._core)
 
     def _rows(self, name: str) -> NDArray[np.uint32]:
         rows = self._boundary["rows"][self._boundary[name]]
@@ -76,7 +97,7 @@ class Shape:
     @cached_property
     def cells(self) -> NDArray[np.uint32]:
         """(k, D + 1) the tetrahedra, in the plane the triangles, of the shape: positively oriented."""
-        return _core.cells(self._shapes._core, self._index)
+        return _core.cells(self._core)
 
     @cached_property
     def triangles(self) -> NDArray[np.uint32]:
@@ -116,25 +137,37 @@ class Shape:
 
     @cached_property
     def signature(self) -> Signatures:
-        """Everything that is counted and measured of the whole complex: one row."""
+        """Everything that is counted and measured of the alpha complex at its index, whatever was
+        left out or filled of it: one row."""
         return self._shapes.signatures_at(index=[self._index])
+
+    @cached_property
+    def _measures(self) -> tuple[float, float, tuple[int, ...]]:
+        return _core.measures(self._core)
 
     @property
     def volume(self) -> float:
         """Of its cells, length^D: in the plane the area."""
-        return float(self.signature["volume"][0])
+        return float(self.signature["volume"][0]) if self._is_whole else self._measures[0]
 
     @property
     def area(self) -> float:
         """Of its boundary, length^(D-1): in the plane the perimeter. Singular facets have two sides,
         and both count; they have none in a regularized shape."""
-        name = "area_regular" if self._regularized else "area"
-        return float(self.signature[name][0])
+        if not self._is_whole:
+            return self._measures[1]
+        return float(self.signature["area_regular" if self._regularized else "area"][0])
 
     @property
     def betti(self) -> tuple[int, ...]:
-        """Components, tunnels and (in space) voids of the complex."""
-        return self._shapes.betti(index=self._index)
+        """Components, tunnels and (in space) voids of the shape."""
+        if self._is_whole and not self._regularized:
+            return self._shapes.betti(index=self._index)
+        return self._measures[2]
+
+    @property
+    def _is_whole(self) -> bool:
+        return self._parts == (None, None, None)
 
     # What is where.
 
@@ -142,21 +175,34 @@ class Shape:
         """Its parts, the largest volume first; equal ones by area, then by the lowest row.
 
         Args:
-            joined_by: "vertices": the components of the complex, with their singular simplices.
+            joined_by: "vertices": the components of the shape, with their singular simplices.
                 "cells": its cells, those with a common vertex in one. "facets": its cells, those with
-                a common facet in one. By default "vertices", of a regularized shape "cells".
+                a common facet in one. By default "vertices".
         """
-        by = joined_by or ("cells" if self._regularized else "vertices")
-        return tuple(Region(**one) for one in _core.regions(self._shapes._core, self._index, by))
+        return tuple(Region(**one) for one in _core.regions(self._core, joined_by or "vertices"))
+
+    def holes(self) -> tuple[Region, ...]:
+        """The bounded components of what is around it, in the same order: in space its voids, in the
+        plane its holes. Their cells are outside the shape, their rows the vertices of the shape
+        around, their area that of the shape around. No Betti numbers: all are 0."""
+        return tuple(Region(**one) for one in _core.holes(self._core))
 
     def contains(self, points: Any) -> NDArray[np.bool_]:
-        """(n,) whether points are in the shape, which is closed. Exact. Singular simplices count, also
-        those that a regularized shape leaves out.
+        """(n,) whether points are in the shape, which is closed. Exact.
 
         Args:
             points: (n, D), as in `AlphaShapes.enters_at`.
         """
-        return self._shapes.enters_at(points) <= self._index
+        return _core.contains(self._core, as_points(points), self._shapes._threads)
+
+    def locate(self, points: Any) -> Located:
+        """Where points are: in which region, in which simplex, and what of the boundary is nearest.
+
+        Args:
+            points: (n, D), as in `AlphaShapes.enters_at`.
+        """
+        found = _core.locate(self._core, as_points(points), self._shapes._threads)
+        return Located(found[0], found[1], Nearest(*found[2:]))
 
     def nearest(self, points: Any) -> Nearest:
         """The nearest point of the boundary to each of some points, inside or outside.
@@ -167,15 +213,7 @@ class Shape:
         Args:
             points: (n, D).
         """
-        return Nearest(
-            *_core.nearest(
-                self._shapes._core,
-                self._index,
-                as_points(points),
-                self._regularized,
-                self._shapes._threads,
-            )
-        )
+        return Nearest(*_core.nearest(self._core, as_points(points), self._shapes._threads))
 
     # As objects of other packages, which must be installed, and as files.
 
@@ -218,9 +256,7 @@ class Shape:
         Args:
             roles: mark every simplex as singular or regular, where the format can.
         """
-        return _core.file_bytes(
-            self._shapes._core, self._index, self._alpha2, self._regularized, format, roles
-        )
+        return _core.file_bytes(self._core, format, roles)
 
     def write(self, path: str | os.PathLike[str], *, roles: bool = False) -> None:
         """Writes the boundary to a file, the format told by its name; see `to_bytes`.
@@ -230,15 +266,7 @@ class Shape:
         path = os.fspath(path)
         ending = os.path.splitext(path)[1].lstrip(".").lower()
         content = self.to_bytes({"json": "geojson"}.get(ending, ending), roles=roles)
-        beside = f"{path}.{os.getpid()}.part"
-        try:
-            with open(beside, "wb") as file:
-                file.write(content)
-            os.replace(beside, path)
-        except BaseException:
-            if os.path.exists(beside):
-                os.remove(beside)
-            raise
+        _exports.write_whole(path, content)
 
     def plot(self, *, ax: Any = None) -> Any:
         """Draws the shape with matplotlib. Returns the axes."""

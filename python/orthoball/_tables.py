@@ -6,10 +6,13 @@ from __future__ import annotations
 import enum
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from . import _core
 
 NONE = 4294967295
 """Stands where an array of vertices has a place without one."""
@@ -45,30 +48,49 @@ class Simplices(NamedTuple):
     """(n,) indices of the spectrum."""
 
 
-@dataclass(frozen=True, eq=False)
 class Filtration:
     """All simplices in the exact order of their appearance: every prefix is a complex.
 
     Ordered by exact alpha2, then dimension, then rows. Iterating gives `(simplex, alpha2)`, the
     simplex as a tuple of rows. The arrays are those that `orthoball filter` writes as NPZ, but that
-    never is the spectrum's size plus 1 in them.
+    never is the spectrum's size plus 1 in them. Views, or found when first asked for and kept.
     """
 
-    dimension: NDArray[np.uint8]
-    """(n,) 0 to D."""
-    vertices: NDArray[np.uint32]
-    """(n, D + 1) input rows, ascending, filled up with NONE."""
-    alpha2: NDArray[np.float64]
-    """(n,) length^2, never decreasing; the double nearest to the exact value."""
-    enters: NDArray[np.uint32]
-    """(n,) indices of the spectrum, from 1."""
-    regular: NDArray[np.uint32]
-    """(n,) indices of the spectrum."""
-    interior: NDArray[np.uint32]
-    """(n,) indices of the spectrum."""
+    def __init__(self, columns: _core.FilterColumns, threads: int | None):
+        self._columns, self._threads = columns, threads
+
+    @cached_property
+    def dimension(self) -> NDArray[np.uint8]:
+        """(n,) 0 to D."""
+        return self._columns.dimension
+
+    @cached_property
+    def vertices(self) -> NDArray[np.uint32]:
+        """(n, D + 1) input rows, ascending, filled up with NONE."""
+        return self._columns.vertices
+
+    @cached_property
+    def alpha2(self) -> NDArray[np.float64]:
+        """(n,) length^2, never decreasing; the double nearest to the exact value."""
+        return self._columns.alpha2(self._threads)
+
+    @cached_property
+    def enters(self) -> NDArray[np.uint32]:
+        """(n,) indices of the spectrum, from 1."""
+        return self._columns.enters
+
+    @cached_property
+    def regular(self) -> NDArray[np.uint32]:
+        """(n,) indices of the spectrum."""
+        return self._columns.regular(self._threads)
+
+    @cached_property
+    def interior(self) -> NDArray[np.uint32]:
+        """(n,) indices of the spectrum."""
+        return self._columns.interior(self._threads)
 
     def __len__(self) -> int:
-        return len(self.alpha2)
+        return len(self.enters)
 
     def __iter__(self) -> Iterator[tuple[tuple[int, ...], float]]:
         widths = (self.dimension + 1).tolist()
@@ -119,6 +141,21 @@ class Region(NamedTuple):
     """(k,) its vertices, ascending."""
     cells: NDArray[np.uint32]
     """(c, D + 1) its cells, as rows."""
+    betti: tuple[int, ...]
+    """Components, tunnels and (in space) voids of the region alone."""
+
+
+class ShapeEdits(NamedTuple):
+    """What thresholds have done to a shape."""
+
+    holes_filled: int
+    """How many holes were not larger than the threshold."""
+    volume_filled: float
+    """Of those, length^D."""
+    regions_dropped: int
+    """How many regions were not larger than the threshold."""
+    volume_dropped: float
+    """Of those, length^D."""
 
 
 class Nearest(NamedTuple):
@@ -130,6 +167,48 @@ class Nearest(NamedTuple):
     """(n,) how far away; infinity where there is no boundary."""
     simplices: NDArray[np.uint32]
     """(n, D) the simplices that they are on, as rows, filled up with NONE."""
+
+
+class Located(NamedTuple):
+    """Where points are with respect to a shape."""
+
+    regions: NDArray[np.uint32]
+    """(n,) numbers of regions from 1, in the order of `Shape.regions`; 0 outside the shape."""
+    simplices: NDArray[np.uint32]
+    """(n, D + 1) the simplices of the triangulation that hold the points, as rows, filled up with
+    NONE; nothing but NONE outside the convex hull."""
+    nearest: Nearest
+    """The nearest points of the boundary."""
+
+
+class PowerCells(NamedTuple):
+    """Power (weighted Voronoi) cells, by row. Hidden points and duplicates have none."""
+
+    rows: NDArray[np.uint32]
+    """(k,) whose they are, ascending."""
+    volumes: NDArray[np.float64]
+    """(k,) length^D."""
+    areas: NDArray[np.float64]
+    """(k,) of the whole surface, length^(D-1)."""
+    exposed: NDArray[np.float64]
+    """(k,) of that, what is on the box or on the sphere."""
+    facet_counts: NDArray[np.uint32]
+    """(k,) neighbours with a facet in common."""
+    are_clipped: NDArray[np.bool_]
+    """(k,) whether the box or the ball cuts it."""
+    surfaces: tuple[tuple[NDArray[np.float64], list[tuple[int, NDArray[np.uint32]]]], ...]
+    """Of each cell (corners (c, D), facets): of a facet the row of the neighbour behind it, NONE on the
+    box or the sphere, and its corners, counterclockwise seen from outside. Empty unless asked for."""
+
+
+class OutlineCurve(NamedTuple):
+    """A closed curve of the outline of disks, made of arcs; the disks are to its left."""
+
+    rows: NDArray[np.uint32]
+    """(k,) whose circle an arc is of."""
+    arcs: NDArray[np.float64]
+    """(k, 8) centre x and y, radius, from x and y, to x and y (lengths), and the angle that it turns by,
+    counterclockwise, 0 to 2 pi."""
 
 
 class NotableAlpha(NamedTuple):

@@ -27,6 +27,7 @@
 #include "orthoball/filtration/alpha.h"
 #include "orthoball/filtration/alpha_complex.h"
 #include "orthoball/filtration/filter.h"
+#include "orthoball/filtration/filter_columns.h"
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/filtration/simplex_table.h"
 // weights
@@ -48,6 +49,8 @@
 // queries
 #include "orthoball/queries/alpha_candidates.h"
 #include "orthoball/queries/containment.h"
+#include "orthoball/queries/edited_shape.h"
+#include "orthoball/queries/locate.h"
 #include "orthoball/queries/manifold_solid.h"
 #include "orthoball/queries/nearest.h"
 #include "orthoball/queries/planar_union.h"
@@ -60,8 +63,10 @@
 #include "orthoball/output/ball_tables.h"
 #include "orthoball/output/byte_sink.h"
 #include "orthoball/output/encoded_output.h"
+#include "orthoball/output/location_table.h"
 #include "orthoball/output/mesh.h"
 #include "orthoball/output/molecule.h"
+#include "orthoball/output/page.h"
 #include "orthoball/output/persistence_plot.h"
 #include "orthoball/output/persistence_table.h"
 #include "orthoball/output/planar_shape.h"

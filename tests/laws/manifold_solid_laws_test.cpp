@@ -24,7 +24,10 @@ oracles::MeshFile written(const Filtration<D>& filtration, const WeightedPoints&
                           std::uint32_t index, const std::vector<bool>& contains) {
   std::ostringstream out;
   ByteSink sink(out, "0");
-  write_mesh(sink, solid_mesh(filtration, points, index, contains), {MeshFormat::ply, false, 0.0});
+  ManifoldSolid<D> solid;
+  solid.contains = contains;
+  const AlphaComplex<D> complex = complex_of(solid, AlphaComplex<D>(filtration, index));
+  write_mesh(sink, shape_mesh(complex, points), {MeshFormat::ply, false, 0.0});
   sink.flush();
   return oracles::mesh_file(out.str(), D);
 }
@@ -62,7 +65,7 @@ void for_each_shape(std::size_t largest, const Check& check) {
 TEST(ManifoldSolid, IsWrittenAsAnOrientedClosedManifoldOfAnySites) {
   for_each_shape(90, [&]<int D>(const Filtration<D>& filtration, const WeightedPoints& points,
                                 std::uint32_t index, const Case& one) {
-    const ManifoldSolid<D> solid = manifold_solid(filtration, index);
+    const ManifoldSolid<D> solid = manifold_solid(AlphaComplex(filtration, index));
     const auto file = written(filtration, points, index, solid.contains);
     EXPECT_TRUE(file.faults.empty()) << matchers::described(file.faults);
     if (generators::is_extreme(one.family)) return;
@@ -74,7 +77,7 @@ TEST(ManifoldSolid, ChangesCellsExactlyWhereTheSurfaceIsNoManifold) {
   std::size_t offending = 0, manifold = 0;
   for_each_shape(60, [&]<int D>(const Filtration<D>& filtration, const WeightedPoints& points,
                                 std::uint32_t index, const Case&) {
-    const ManifoldSolid<D> solid = manifold_solid(filtration, index);
+    const ManifoldSolid<D> solid = manifold_solid(AlphaComplex(filtration, index));
     const std::vector<bool> before = cells_at(filtration, index);
     const bool is_manifold = written(filtration, points, index, before).faults.empty();
     EXPECT_EQ(solid.offending.empty(), is_manifold);
@@ -97,7 +100,7 @@ TEST(ManifoldSolid, ChangesCellsExactlyWhereTheSurfaceIsNoManifold) {
 TEST(ManifoldSolid, HasNoCellThatCouldBeChangedBack) {
   for_each_shape(40, [&]<int D>(const Filtration<D>& filtration, const WeightedPoints& points,
                                 std::uint32_t index, const Case&) {
-    ManifoldSolid<D> solid = manifold_solid(filtration, index);
+    ManifoldSolid<D> solid = manifold_solid(AlphaComplex(filtration, index));
     for (const SolidChange<D>& change : solid.changes) {
       for (const SimplexId cell : change.cells) {
         const std::uint32_t number = cell.row() - filtration.table().first(D);
@@ -118,7 +121,8 @@ TEST(ManifoldSolid, DoesNotDependOnTheOrderOfRows) {
     const Filtration<3> one_way(regular_triangulation<3>(points));
     const Filtration<3> other_way(regular_triangulation<3>(generators::with_rows(points, rows)));
     const std::uint32_t index = one_way.spectrum_size() / 3;
-    const auto a = manifold_solid(one_way, index), b = manifold_solid(other_way, index);
+    const auto a = manifold_solid(AlphaComplex(one_way, index)),
+               b = manifold_solid(AlphaComplex(other_way, index));
     EXPECT_EQ(a.contains, b.contains);
     EXPECT_EQ(a.added, b.added);
     EXPECT_EQ(a.removed, b.removed);

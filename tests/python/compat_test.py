@@ -138,6 +138,50 @@ def test_the_alpha_shape_of_a_block_is_known():
         block.criticalAlpha("all")
 
 
+def discs():
+    """The points of MATLAB's documentation of numRegions: two discs of five rings."""
+    angle = np.arange(24) * (2 * np.pi / 24)
+    rings = [r * np.column_stack([np.cos(angle), np.sin(angle)]) for r in range(1, 6)]
+    disc = np.vstack([[[0, 0]], *rings])
+    return np.vstack([disc, disc + [15, 0]])
+
+
+def test_regions_of_the_documentation_of_matlab():
+    shape = alphaShape(discs(), 2.5)
+    assert shape.numRegions() == 2
+    assert round(shape.perimeter(), 4) == 62.6526
+    assert shape.perimeter(0) == pytest.approx(240 * np.sin(np.pi / 24))
+    assert round(shape.alphaSpectrum()[0], 4) == 52.5066
+    one = alphaShape(
+        [(-1.5, 3.2), (1.8, 3.3), (-3.7, 1.5), (-1.5, 1.3), (0.8, 1.2), (3.3, 1.5), (-4, -1),
+         (-2.3, -0.7), (0, -0.5), (2, -1.5), (3.7, -0.8), (-3.5, -2.9), (-0.9, -3.9), (2, -3.5),
+         (3.5, -2.25)]
+    )  # fmt: skip
+    assert round(one.Alpha, 8) == 1.76179149 == round(one.criticalAlpha("one-region"), 8)
+    assert round(one.area(), 4) == 34.3025
+    hull = alphaShape(one.Points, np.inf)
+    assert (round(hull.area(), 4), len(hull.alphaTriangulation())) == (44.8725, 18)
+
+
+def test_thresholds_fill_holes_and_suppress_regions():
+    points = [p for p in discs().tolist() if p[0] > 10 or np.hypot(*p) > 1.5]
+    shape = alphaShape(points, 1.4)
+    full, ring = 24 / 2 * 25 * np.sin(np.pi / 12), shape.area(1)
+    hole = full - ring
+    assert shape.numRegions() == 2 and hole == pytest.approx(12 * 4 * np.sin(np.pi / 12))
+    assert len(shape.boundaryFacets()) == 72 and len(shape.boundaryFacets(0)) == 24
+    assert shape.inShape([[0, 0]]).tolist() == [False]
+    assert shape.inShape([[3, 0], [15, 0]], region=0).tolist() == [False, True]
+    shape.RegionThreshold = ring * (1 + 1e-9)
+    assert shape.numRegions() == 1 and shape.area() == pytest.approx(full)
+    shape.HoleThreshold = hole * (1 + 1e-9)  # holes come first: the ring is as large as the disc
+    assert shape.numRegions() == 2 and shape.area() == pytest.approx(2 * full)
+    assert shape.inShape([[0, 0]]).all() and len(shape.boundaryFacets()) == 48
+    same = alphaShape(points, 1.4, HoleThreshold=20.0, RegionThreshold=full * 1.001)
+    assert (same.HoleThreshold, same.RegionThreshold) == (20.0, full * 1.001)
+    assert same.numRegions() == 0 and same.area() == 0
+
+
 def test_the_radius_may_be_given_and_given_anew():
     shape = alphaShape(PLANE[:, 0], PLANE[:, 1], 0.02)
     assert shape.Alpha == 0.02

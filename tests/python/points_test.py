@@ -111,6 +111,15 @@ def test_a_cloud_of_open3d_is_taken(cube):
     assert spectrum(OfOpen3D(cube)) == spectrum(cube)
 
 
+@pytest.mark.partner
+def test_clouds_and_meshes_of_the_installed_open3d_are_taken(cube):
+    open3d = pytest.importorskip("open3d")
+    cloud = open3d.geometry.PointCloud(open3d.utility.Vector3dVector(cube))
+    assert spectrum(cloud) == spectrum(cube)
+    box = open3d.geometry.TriangleMesh.create_box()
+    assert spectrum(box) == spectrum(np.asarray(box.vertices))
+
+
 def test_atoms_without_elements_need_radii(cube):
     atoms = types.SimpleNamespace(positions=cube, n_atoms=8)
     with pytest.raises(InputError, match="elements of the atoms are not told"):

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
 """One shape: what it is made of, its measures, its forms in other packages."""
 
+import gc
 import json
 
 import numpy as np
 import pytest
 
 import orthoball
-from orthoball import AlphaShapes, InputError, Role
+from orthoball import NONE, AlphaShapes, InputError, Role
 
 
 def signed_volume(points, triangles):
@@ -114,6 +115,57 @@ def test_regions_are_sorted_by_size(ring):
     assert shapes.shape(index=0).regions() == ()
     with pytest.raises(InputError, match='joined by "edges"'):
         shape.regions("edges")
+
+
+def test_holes_are_filled_and_regions_left_out(ring):
+    shapes = AlphaShapes(ring)
+    whole = shapes.shape(alpha=0.8)
+    assert [region.betti for region in whole.regions()] == [(1, 1), (1, 0), (1, 0)]
+    (hole,) = whole.holes()
+    assert hole.area == pytest.approx(4 + 4 * 2**0.5) and len(hole.rows) == 8
+    assert hole.volume == pytest.approx(7)
+    filled = shapes.shape(alpha=0.8, hole_threshold=hole.volume)
+    assert filled.edits == (1, hole.volume, 0, 0.0) and filled.holes() == ()
+    assert (filled.edits.holes_filled, filled.edits.volume_filled) == (1, hole.volume)
+    assert filled.volume == pytest.approx(25) and filled.betti == (3, 0)
+    assert filled.contains([[2.5, 2.5]]).all() and not whole.contains([[2.5, 2.5]]).any()
+    assert len(filled.cells) == len(whole.cells) + len(hole.cells)
+    large = shapes.shape(alpha=0.8, region_threshold=1)
+    assert large.edits.regions_dropped == 2 and large.edits.volume_dropped == 0
+    assert large.betti == (1, 1) and len(large.vertices) == 0
+    pair = shapes.shape(alpha=0.8, region=2)
+    assert pair.rows.tolist() == whole.regions()[1].rows.tolist()
+    assert (pair.volume, pair.area, pair.betti) == (0, 2, (1, 0))
+    assert "parts of the shape at index" in repr(pair)
+    assert pair.signature["volume"][0] == whole.volume
+    for options, message in [
+        ({"region": 4}, "there is no region 4; there are 3 regions"),
+        ({"region": 0}, "there is no region 0"),
+        ({"region_threshold": -1}, "it must be 0 or more"),
+        ({"hole_threshold": np.nan}, "it must be 0 or more"),
+    ]:
+        with pytest.raises(InputError, match=message):
+            shapes.shape(alpha=0.8, **options)
+
+
+def test_parts_outlive_the_names_of_their_family(ring):
+    shape = AlphaShapes(ring).shape(alpha=0.8, region=1)
+    del ring
+    gc.collect()
+    assert len(shape.to_bytes("ply")) > 0 and len(shape.regions()) == 1
+
+
+def test_located_points_have_regions_simplices_and_distances(ring):
+    shape = AlphaShapes(ring).shape(alpha=0.8)
+    points = [[0.5, 0.5], [10.5, 0], [2.5, 2.5], [-5, 0]]
+    found = shape.locate(points)
+    assert found.regions.tolist() == [1, 2, 0, 0]
+    assert ((found.simplices != NONE).sum(axis=1) > 0).tolist() == [True, True, True, False]
+    assert (found.simplices[1][:2] == shape.regions()[1].rows).all()
+    nearest = shape.nearest(points)
+    for one, other in zip(found.nearest, nearest):
+        assert np.array_equal(one, other)
+    assert (found.regions > 0).tolist() == shape.contains(points).tolist()
 
 
 def test_points_are_in_the_shape_or_not(ring):

@@ -2,9 +2,9 @@
 """MATLAB's `alphaShape` by orthoball: alpha is a radius, rows count from 0.
 
 Exact where MATLAB's is rounded. A simplex whose radius is alpha belongs to the shape. Only cells make
-it: singular triangles, edges and points are left out, but for points exactly on one of them, which
-`inShape` counts. Not here: the thresholds of holes and regions, `nearestNeighbor` (see
-`orthoball.Shape.nearest`), and regions by their number in `boundaryFacets`.
+it: singular triangles, edges and points are left out. Holes are filled before regions are
+suppressed, both up to and including their thresholds. Regions count from 0, the largest first. Not here:
+`nearestNeighbor`, for which `orthoball.Shape.nearest` gives the nearest points of the boundary.
 """
 
 from __future__ import annotations
@@ -30,16 +30,25 @@ class alphaShape:
         points: (n, 2) or (n, 3); or the columns x, y[, z] one by one.
         alpha: the radius, behind the points; math.inf for the convex hull. By default
             criticalAlpha("all-points").
+        HoleThreshold: the largest volume (in the plane: area) of holes that are filled.
+        RegionThreshold: the largest volume (in the plane: area) of regions that are suppressed.
 
     Raises InputError (a ValueError) as AlphaShapes does.
     """
 
-    def __init__(self, *points: Any, alpha: float | None = None):
+    def __init__(
+        self,
+        *points: Any,
+        alpha: float | None = None,
+        HoleThreshold: float = 0.0,
+        RegionThreshold: float = 0.0,
+    ):
         columns = list(points)
         if np.ndim(columns[-1]) == 0 and alpha is None:
             alpha = float(columns.pop())
         self.shapes = AlphaShapes(columns[0] if len(columns) == 1 else np.column_stack(columns))
         """The AlphaShapes, for everything else."""
+        self._thresholds = float(HoleThreshold), float(RegionThreshold)
         self.Alpha = self.criticalAlpha("all-points") if alpha is None else float(alpha)
 
     @property
@@ -57,7 +66,41 @@ class alphaShape:
         if not alpha >= 0:
             raise fault(f"alpha is {alpha}; a radius is 0 or more")
         self._alpha = alpha
-        self._shape = self.shapes.shape(alpha=alpha, regularized=True)
+        self._update()
+
+    @property
+    def HoleThreshold(self) -> float:
+        """The largest volume (in the plane: area) of holes that are filled; it may be given anew."""
+        return self._thresholds[0]
+
+    @HoleThreshold.setter
+    def HoleThreshold(self, threshold: float) -> None:
+        self._thresholds = float(threshold), self._thresholds[1]
+        self._update()
+
+    @property
+    def RegionThreshold(self) -> float:
+        """The largest volume (in the plane: area) of regions that are suppressed; it may be given
+        anew."""
+        return self._thresholds[1]
+
+    @RegionThreshold.setter
+    def RegionThreshold(self, threshold: float) -> None:
+        self._thresholds = self._thresholds[0], float(threshold)
+        self._update()
+
+    def _update(self) -> None:
+        self._shape = self._made(None)
+
+    def _made(self, region: int | None) -> Shape:
+        holes, regions = self._thresholds
+        return self.shapes.shape(
+            alpha=self._alpha,
+            regularized=True,
+            hole_threshold=holes or None,
+            region_threshold=regions or None,
+            region=None if region is None else region + 1,
+        )
 
     @property
     def shape(self) -> Shape:
@@ -91,14 +134,19 @@ class alphaShape:
             raise fault(f"there is no region {region}; they are 0 to {len(regions) - 1}")
         return regions[region]
 
-    def inShape(self, *points: ArrayLike) -> NDArray[np.bool_]:
-        """Whether points are in the shape: (n, D), or the columns x, y[, z] one by one, of any shape,
-        which the result has."""
+    def _of(self, region: int | None) -> Shape:
+        self._region(region)  # refuses a number that is none
+        return self._shape if region is None else self._made(region)
+
+    def inShape(self, *points: ArrayLike, region: int | None = None) -> NDArray[np.bool_]:
+        """Whether points are in the shape or one region: (n, D), or the columns x, y[, z] one by one,
+        of any shape, which the result has."""
+        shape = self._of(region)
         if len(points) == 1:
-            return self._shape.contains(points[0])
+            return shape.contains(points[0])
         columns = np.broadcast_arrays(*points)
         flat = np.column_stack([column.ravel() for column in columns])
-        return self._shape.contains(flat).reshape(columns[0].shape)
+        return shape.contains(flat).reshape(columns[0].shape)
 
     def volume(self, region: int | None = None) -> float:
         """Of the shape or one region, the largest being 0. Points in space only."""
@@ -125,10 +173,11 @@ class alphaShape:
         one = self._region(region)
         return self._shape.cells if one is None else one.cells
 
-    def boundaryFacets(self) -> NDArray[np.uint32]:
-        """(k, D) the triangles (in the plane: edges) of the boundary, as rows: counterclockwise seen
-        from outside, with the inside on the left."""
-        return self._shape.triangles if self.shapes.dimension == 3 else self._shape.edges
+    def boundaryFacets(self, region: int | None = None) -> NDArray[np.uint32]:
+        """(k, D) the triangles (in the plane: edges) of the boundary of the shape or of one region, as
+        rows: counterclockwise seen from outside, with the inside on the left."""
+        shape = self._of(region)
+        return shape.triangles if self.shapes.dimension == 3 else shape.edges
 
     def plot(self, ax: Any = None) -> Any:
         """Draws the shape with matplotlib. Returns the axes."""

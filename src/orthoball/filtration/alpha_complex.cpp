@@ -7,6 +7,38 @@
 #include "orthoball/error.h"
 
 namespace orthoball {
+namespace {
+
+// Of what is marked as interior, and all faces of it: what they are to each other. From cells down:
+// an interior simplex without a coface in the complex is singular, one with a coface that is not
+// interior or not in the complex is regular.
+template <int D>
+void find_roles(const Filtration<D>& filtration, std::vector<std::uint8_t>& roles) {
+  constexpr auto kExterior = static_cast<std::uint8_t>(Role::exterior);
+  constexpr auto kInterior = static_cast<std::uint8_t>(Role::interior);
+  const bool has_cells = filtration.triangulation().affine_dimension() == D;
+  std::vector<std::uint8_t> cofaces(roles.size(), 0);  // bits: one in it; one that is not interior
+  for (auto row = static_cast<std::uint32_t>(roles.size()); row-- > 0;) {
+    const SimplexId simplex(row);
+    const int dimension = filtration.dimension(simplex);
+    if ((cofaces[row] & 1U) != 0) roles[row] = kInterior;
+    if (roles[row] != kExterior && dimension < D) {
+      const bool is_open =
+          has_cells && dimension == D - 1 && filtration.cells_beside(simplex).size() < 2;
+      const bool is_inside = (cofaces[row] & 2U) == 0 && !is_open;
+      const Role role = (cofaces[row] & 1U) == 0 ? Role::singular
+                        : is_inside              ? Role::interior
+                                                 : Role::regular;
+      roles[row] = static_cast<std::uint8_t>(role);
+    }
+    const unsigned bits = roles[row] == kExterior ? 2 : roles[row] == kInterior ? 1 : 3;
+    for (const SimplexId facet : filtration.facets(simplex)) {
+      cofaces[facet.row()] = static_cast<std::uint8_t>(cofaces[facet.row()] | bits);
+    }
+  }
+}
+
+}  // namespace
 
 template <int D>
 AlphaComplex<D>::AlphaComplex(const Filtration<D>& filtration, std::uint32_t index)
@@ -19,6 +51,17 @@ AlphaComplex<D>::AlphaComplex(const Filtration<D>& filtration, std::uint32_t ind
 }
 
 template <int D>
+AlphaComplex<D>::AlphaComplex(const Filtration<D>& filtration, std::uint32_t index,
+                              std::span<const SimplexId> simplices)
+    : AlphaComplex(filtration, index) {
+  roles_.assign(filtration.size(), static_cast<std::uint8_t>(Role::exterior));
+  for (const SimplexId simplex : simplices) {
+    roles_[simplex.row()] = static_cast<std::uint8_t>(Role::interior);
+  }
+  find_roles(filtration, roles_);
+}
+
+template <int D>
 std::vector<SimplexId> AlphaComplex<D>::simplices(int dimension, Role role) const {
   const std::uint32_t first = filtration_->table().first(dimension);
   const auto count = static_cast<std::uint32_t>(filtration_->count(dimension));
@@ -27,6 +70,24 @@ std::vector<SimplexId> AlphaComplex<D>::simplices(int dimension, Role role) cons
     if (this->role(SimplexId(simplex)) == role) result.emplace_back(simplex);
   }
   return result;
+}
+
+template <int D>
+std::vector<SimplexId> AlphaComplex<D>::maximal_simplices() const {
+  std::vector<SimplexId> result;
+  const std::uint32_t first_cell = filtration_->table().first(D);
+  for (std::uint32_t simplex = 0; simplex < filtration_->size(); ++simplex) {
+    const Role role = this->role(SimplexId(simplex));
+    if (role == Role::singular || (simplex >= first_cell && role == Role::interior)) {
+      result.emplace_back(simplex);
+    }
+  }
+  return result;
+}
+
+template <int D>
+AlphaComplex<D> regularized(const AlphaComplex<D>& complex) {
+  return {complex.filtration(), complex.index(), complex.simplices(D, Role::interior)};
 }
 
 template <int D>
@@ -58,5 +119,7 @@ template class AlphaComplex<2>;
 template class AlphaComplex<3>;
 template class BoundaryIndex<2>;
 template class BoundaryIndex<3>;
+template AlphaComplex<2> regularized(const AlphaComplex<2>&);
+template AlphaComplex<3> regularized(const AlphaComplex<3>&);
 
 }  // namespace orthoball

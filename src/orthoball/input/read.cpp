@@ -194,7 +194,9 @@ Reading read(const std::string& path, const ReadOptions& options) {
   // About as much again for the numbers; atoms keep their names, too.
   const std::uint64_t each = format->is_molecule ? 8 : 1;
   options.memory.require(each * source.bytes.size(), path + ": the points in it");
-  Reading reading = format->reader(source, options);
+  ReadOptions wanted = options;
+  if (options.only_points && format->is_molecule) wanted.radii = "none";
+  Reading reading = format->reader(source, wanted);
   reading.file = path;
   reading.format = format->name;
   if (reading.points.size() == 0 && !options.allow_empty) {

@@ -31,6 +31,7 @@ struct ReadOptions {
   std::string weight_column{};         ///< as above; excludes radius_column
   std::string radii{};                 ///< bondi, alvarez, protor, none, or a file's path; empty:
                                        ///< the radii in a molecule's file, else bondi
+  bool only_points = false;            ///< atoms are points: radii none, in any format
   std::optional<std::string> default_radius{};  ///< a decimal, for elements without a radius
   MoleculeOptions molecule{};
   bool allow_empty = false;  ///< a file without any site is no error

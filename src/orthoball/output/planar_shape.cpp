@@ -16,18 +16,13 @@ namespace {
 
 // Calls `visit(vertices)` for every singular simplex of a dimension below 2.
 template <class Visit>
-void for_singular(const Filtration<2>& filtration, int dimension, std::uint32_t index,
-                  const Visit& visit) {
+void for_singular(const AlphaComplex<2>& complex, int dimension, const Visit& visit) {
+  const Filtration<2>& filtration = complex.filtration();
   const std::uint32_t first = filtration.table().first(dimension);
   for (std::uint32_t i = 0; i < filtration.count(dimension); ++i) {
     const SimplexId simplex(first + i);
-    if (filtration.role(simplex, index) == Role::singular) visit(filtration.vertices(simplex));
+    if (complex.role(simplex) == Role::singular) visit(filtration.vertices(simplex));
   }
-}
-
-std::vector<Polygon> interior(const Filtration<2>& filtration, const PlanarShapeOptions& options) {
-  return options.solid != nullptr ? polygons(filtration, *options.solid)
-                                  : polygons(filtration, options.index);
 }
 
 // The members of a JSON array with commas between them: "[", one `write(member)` each, "]".
@@ -49,7 +44,7 @@ class GeoJson {
       : sink_(sink), sites_(sites), points_(points) {
     sink_.text("{\"type\":\"FeatureCollection\",\"features\":[");
   }
-  void polygons(const std::vector<Polygon>& polygons, const PlanarShapeOptions& options) {
+  void polygons(const std::vector<Polygon>& polygons, double alpha2, std::uint32_t index) {
     begin_feature("MultiPolygon");
     write_array(sink_, polygons, [&](const Polygon& polygon) {
       write_array(sink_, polygon.rings, [&](const std::vector<VertexId>& ring) {
@@ -60,9 +55,9 @@ class GeoJson {
     });
     properties("regular");
     sink_.text(",\"alpha2\":");
-    sink_.real(options.alpha2);
+    sink_.real(alpha2);
     sink_.text(",\"index\":");
-    sink_.integer(options.index);
+    sink_.integer(index);
     sink_.text(",\"rows\":");
     write_array(sink_, polygons, [&](const Polygon& polygon) {
       write_array(sink_, polygon.rings, [&](const std::vector<VertexId>& ring) {
@@ -162,38 +157,34 @@ class Picture {
 
 }  // namespace
 
-void write_geojson(ByteSink& sink, const Filtration<2>& filtration, const WeightedPoints& points,
+void write_geojson(ByteSink& sink, const AlphaComplex<2>& complex, const WeightedPoints& points,
                    const PlanarShapeOptions& options) {
-  GeoJson json(sink, filtration.triangulation().sites(), points);
-  if (const auto parts = interior(filtration, options); !parts.empty()) {
-    json.polygons(parts, options);
+  GeoJson json(sink, complex.filtration().triangulation().sites(), points);
+  if (const auto parts = polygons(complex); !parts.empty()) {
+    json.polygons(parts, options.alpha2, complex.index());
   }
-  if (!options.regularized) {
-    for_singular(filtration, 1, options.index,
-                 [&](const FewOf<VertexId, 2>& ends) { json.edge(ends); });
-    for_singular(filtration, 0, options.index,
-                 [&](const FewOf<VertexId, 2>& vertex) { json.vertex(vertex[0]); });
-  }
+  for_singular(complex, 1, [&](const FewOf<VertexId, 2>& ends) { json.edge(ends); });
+  for_singular(complex, 0, [&](const FewOf<VertexId, 2>& vertex) { json.vertex(vertex[0]); });
   json.end();
   sink.flush();
 }
 
-void write_shape_svg(ByteSink& sink, const Filtration<2>& filtration, const WeightedPoints& points,
+void write_shape_svg(ByteSink& sink, const AlphaComplex<2>& complex, const WeightedPoints& points,
                      const PlanarShapeOptions& options) {
-  const Sites<2>& sites = filtration.triangulation().sites();
+  const Sites<2>& sites = complex.filtration().triangulation().sites();
   const Picture picture(sites, points);
   const auto size = [](double x) { return shortest_text(std::ceil(x)); };
   const std::string width = size(picture.width()), height = size(picture.height());
   sink.text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
             "\" viewBox=\"0 0 " + width + " " + height + "\">\n<title>Alpha shape at " +
-            alpha_text(options.alpha2, options.index) +
+            alpha_text(options.alpha2, complex.index()) +
             "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n");
   sink.text("<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n");
 
   sink.text(
       "<path class=\"regular\" fill=\"#cfe3f5\" fill-rule=\"evenodd\" "
       "stroke=\"#1f5a94\" stroke-width=\"1.5\" d=\"");
-  for (const Polygon& polygon : interior(filtration, options)) {
+  for (const Polygon& polygon : polygons(complex)) {
     for (const auto& ring : polygon.rings) {
       for (std::size_t i = 0; i < ring.size(); ++i) {
         sink.text(i == 0 ? "M" : "L");
@@ -207,20 +198,15 @@ void write_shape_svg(ByteSink& sink, const Filtration<2>& filtration, const Weig
   const std::string singular_colour = options.roles ? "#d55e00" : "#1f5a94";
   sink.text("\"/>\n<path class=\"singular edges\" stroke=\"" + singular_colour +
             "\" stroke-width=\"1.5\" d=\"");
-  if (!options.regularized) {
-    for_singular(filtration, 1, options.index, [&](const FewOf<VertexId, 2>& ends) {
-      sink.text("M");
-      picture.position(sink, ends[0]);
-      sink.text("L");
-      picture.position(sink, ends[1]);
-    });
-  }
+  for_singular(complex, 1, [&](const FewOf<VertexId, 2>& ends) {
+    sink.text("M");
+    picture.position(sink, ends[0]);
+    sink.text("L");
+    picture.position(sink, ends[1]);
+  });
   sink.text("\"/>\n<path class=\"singular vertices\" stroke=\"" + singular_colour +
             "\" stroke-width=\"4\" d=\"");
-  if (!options.regularized) {
-    for_singular(filtration, 0, options.index,
-                 [&](const FewOf<VertexId, 2>& vertex) { picture.dot(sink, vertex[0]); });
-  }
+  for_singular(complex, 0, [&](const FewOf<VertexId, 2>& vertex) { picture.dot(sink, vertex[0]); });
   sink.text("\"/>\n</g>\n</svg>\n");
   sink.flush();
 }

@@ -36,24 +36,29 @@ struct BoundaryEdge {
   std::uint32_t apex;  // the corner of that triangle opposite this edge
 };
 
-// The triangles of a shape as the walk sees them.
+// The triangles of the shape as the walk sees them.
 class Shape {
  public:
-  Shape(const Filtration<2>& filtration, const std::vector<bool>& contains)
-      : cells_(filtration.triangulation().cells<2>()), contains_(contains) {}
+  explicit Shape(const AlphaComplex<2>& complex)
+      : complex_(complex),
+        cells_(complex.filtration().triangulation().cells<2>()),
+        first_(complex.filtration().table().first(2)) {}
 
   [[nodiscard]] std::size_t cell_count() const { return cells_.size(); }
   [[nodiscard]] const CellRecord<2>& cell(std::uint32_t cell) const { return cells_[cell]; }
-  [[nodiscard]] bool contains(std::uint32_t cell) const { return contains_[cell]; }
-  // The neighbour across the edge opposite a corner as 4 * cell + corner, kOutside if not of it.
+  [[nodiscard]] bool contains(std::uint32_t cell) const {
+    return complex_.contains(SimplexId(first_ + cell));
+  }
+  // The neighbour across the edge opposite a corner as 4 * cell + corner, kOutside if not in K.
   [[nodiscard]] std::uint32_t neighbour(std::uint32_t cell, std::uint32_t corner) const {
     const std::uint32_t across = cells_[cell].neighbours[corner];
     return across == kOutside || !contains(across / 4) ? kOutside : across;
   }
 
  private:
+  const AlphaComplex<2>& complex_;
   std::span<const CellRecord<2>> cells_;
-  const std::vector<bool>& contains_;
+  std::uint32_t first_;  // cell, as a simplex
 };
 
 std::vector<BoundaryEdge> boundary_edges(const Shape& shape) {
@@ -115,16 +120,9 @@ bool is_counterclockwise(const Sites<2>& sites, const Ring& ring) {
 
 }  // namespace
 
-std::vector<Polygon> polygons(const Filtration<2>& filtration, std::uint32_t index) {
-  std::vector<bool> contains(filtration.triangulation().cells<2>().size());
-  for (std::uint32_t cell = 0; cell < contains.size(); ++cell) {
-    contains[cell] = filtration.enters(SimplexId(filtration.table().first(2) + cell)) <= index;
-  }
-  return polygons(filtration, contains);
-}
-
-std::vector<Polygon> polygons(const Filtration<2>& filtration, const std::vector<bool>& contains) {
-  const Shape shape(filtration, contains);
+std::vector<Polygon> polygons(const AlphaComplex<2>& complex) {
+  const Filtration<2>& filtration = complex.filtration();
+  const Shape shape(complex);
   const std::vector<BoundaryEdge> edges = boundary_edges(shape);
   std::vector<std::array<std::uint32_t, 3>> edge_at(shape.cell_count(), {kNone, kNone, kNone});
   for (std::uint32_t e = 0; e < edges.size(); ++e) edge_at[edges[e].cell][edges[e].apex] = e;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "orthoball/filtration/filtration.h"
+#include "orthoball/filtration/alpha_complex.h"
 #include "orthoball/ids.h"
 
 namespace orthoball {
@@ -16,12 +15,9 @@ struct Polygon {
   std::vector<std::vector<VertexId>> rings;
 };
 
-/// The interior of K_index, one polygon for every part that is connected through edges: valid in
+/// The interior of a shape, one polygon for every part that is connected through edges: valid in
 /// the sense of OGC Simple Features and RFC 7946 wherever parts or holes touch in vertices. Exact.
 /// Polygons come in the order of their first edges, rings and their starts likewise.
-[[nodiscard]] std::vector<Polygon> polygons(const Filtration<2>& filtration, std::uint32_t index);
-/// The same of any set of triangles. @param contains  [cell], by number among cells.
-[[nodiscard]] std::vector<Polygon> polygons(const Filtration<2>& filtration,
-                                            const std::vector<bool>& contains);
+[[nodiscard]] std::vector<Polygon> polygons(const AlphaComplex<2>& complex);
 
 }  // namespace orthoball

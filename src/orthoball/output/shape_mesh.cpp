@@ -117,14 +117,14 @@ void append(Simplices& simplices, const Corners& corners) {
   simplices.push_back(numbers);
 }
 
-// Calls `visit(simplex, role)` for every simplex of a dimension on the boundary of K_index.
+// Calls `visit(simplex, role)` for every simplex of a dimension on the boundary of a complex.
 template <int D, class Visit>
-void for_boundary(const Filtration<D>& filtration, int dimension, std::uint32_t index,
-                  const Visit& visit) {
+void for_boundary(const AlphaComplex<D>& complex, int dimension, const Visit& visit) {
+  const Filtration<D>& filtration = complex.filtration();
   const std::uint32_t first = filtration.table().first(dimension);
   const auto end = static_cast<std::uint32_t>(first + filtration.count(dimension));
   for (std::uint32_t row = first; row < end; ++row) {
-    const Role role = filtration.role(SimplexId(row), index);
+    const Role role = complex.role(SimplexId(row));
     if (role == Role::singular || role == Role::regular) visit(SimplexId(row), role);
   }
 }
@@ -143,10 +143,11 @@ std::array<VertexId, std::size_t{D}> outward_facet(const CellRecord<D>& cell, st
 }
 
 template <int D>
-std::array<VertexId, std::size_t{D}> outward_facet(const Filtration<D>& filtration, SimplexId facet,
-                                                   std::uint32_t index) {
+std::array<VertexId, std::size_t{D}> outward_facet(const AlphaComplex<D>& complex,
+                                                   SimplexId facet) {
+  const Filtration<D>& filtration = complex.filtration();
   const auto beside = filtration.cells_beside(facet);
-  const SimplexId inside = filtration.enters(beside[0]) <= index ? beside[0] : beside[1];
+  const SimplexId inside = complex.contains(beside[0]) ? beside[0] : beside[1];
   const CellRecord<D>& cell =
       filtration.triangulation().template cells<D>()[inside.row() - filtration.table().first(D)];
   const auto vertices = filtration.vertices(facet);
@@ -159,20 +160,19 @@ std::array<VertexId, std::size_t{D}> outward_facet(const Filtration<D>& filtrati
 }
 
 template <int D>
-ShapeMesh shape_mesh(const Filtration<D>& filtration, const WeightedPoints& points,
-                     std::uint32_t index, bool regularized) {
+ShapeMesh shape_mesh(const AlphaComplex<D>& complex, const WeightedPoints& points) {
+  const Filtration<D>& filtration = complex.filtration();
   ShapeMesh mesh;
   mesh.dimension = D;
-  mesh.index = index;
+  mesh.index = complex.index();
   std::vector<Triangle> singular_triangles;
-  for_boundary(filtration, D - 1, index, [&](SimplexId facet, Role role) {
-    if (role == Role::singular && regularized) return;
+  for_boundary(complex, D - 1, [&](SimplexId facet, Role role) {
     if constexpr (D == 2) {
-      if (role == Role::regular) append<2>(mesh.edges, outward_facet(filtration, facet, index));
+      if (role == Role::regular) append<2>(mesh.edges, outward_facet(complex, facet));
       if (role == Role::singular) append<2>(mesh.edges, filtration.vertices(facet));
       mesh.edge_roles.push_back(role);
     } else if (role == Role::regular) {
-      append<3>(mesh.triangles, outward_facet(filtration, facet, index));
+      append<3>(mesh.triangles, outward_facet(complex, facet));
     } else {
       append<3>(singular_triangles, filtration.vertices(facet));
     }
@@ -182,52 +182,24 @@ ShapeMesh shape_mesh(const Filtration<D>& filtration, const WeightedPoints& poin
   mesh.triangles.insert(mesh.triangles.end(), singular_triangles.begin(), singular_triangles.end());
   mesh.triangle_roles.resize(mesh.triangles.size(), Role::singular);
 
-  if (!regularized) {
-    if constexpr (D == 3) {
-      for_boundary(filtration, 1, index, [&](SimplexId edge, Role role) {
-        if (role == Role::singular) append<2>(mesh.edges, filtration.vertices(edge));
-      });
-      mesh.edge_roles.assign(mesh.edges.size(), Role::singular);
-    }
-    for_boundary(filtration, 0, index, [&](SimplexId vertex, Role role) {
-      if (role == Role::singular) mesh.isolated.push_back(vertex.row());
+  if constexpr (D == 3) {
+    for_boundary(complex, 1, [&](SimplexId edge, Role role) {
+      if (role == Role::singular) append<2>(mesh.edges, filtration.vertices(edge));
     });
+    mesh.edge_roles.assign(mesh.edges.size(), Role::singular);
   }
-  number_vertices(mesh, filtration.triangulation().sites(), points);
-  return mesh;
-}
-
-template <int D>
-ShapeMesh solid_mesh(const Filtration<D>& filtration, const WeightedPoints& points,
-                     std::uint32_t index, const std::vector<bool>& contains) {
-  ShapeMesh mesh;
-  mesh.dimension = D;
-  mesh.index = index;
-  const auto cells = filtration.triangulation().template cells<D>();
-  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    if (!contains[cell]) continue;
-    for (std::size_t corner = 0; corner <= D; ++corner) {
-      const std::uint32_t beyond = cells[cell].neighbours[corner];
-      if (beyond != kOutside && contains[beyond / 4]) continue;
-      if constexpr (D == 2) append<2>(mesh.edges, outward_facet<2>(cells[cell], corner));
-      if constexpr (D == 3) append<3>(mesh.triangles, outward_facet<3>(cells[cell], corner));
-    }
-  }
-  mesh.triangle_roles.assign(mesh.triangles.size(), Role::regular);
-  mesh.edge_roles.assign(mesh.edges.size(), Role::regular);
+  for_boundary(complex, 0, [&](SimplexId vertex, Role role) {
+    if (role == Role::singular) mesh.isolated.push_back(vertex.row());
+  });
   number_vertices(mesh, filtration.triangulation().sites(), points);
   return mesh;
 }
 
 template std::array<VertexId, 2> outward_facet<2>(const CellRecord<2>&, std::size_t);
 template std::array<VertexId, 3> outward_facet<3>(const CellRecord<3>&, std::size_t);
-template std::array<VertexId, 2> outward_facet<2>(const Filtration<2>&, SimplexId, std::uint32_t);
-template std::array<VertexId, 3> outward_facet<3>(const Filtration<3>&, SimplexId, std::uint32_t);
-template ShapeMesh shape_mesh<2>(const Filtration<2>&, const WeightedPoints&, std::uint32_t, bool);
-template ShapeMesh shape_mesh<3>(const Filtration<3>&, const WeightedPoints&, std::uint32_t, bool);
-template ShapeMesh solid_mesh<2>(const Filtration<2>&, const WeightedPoints&, std::uint32_t,
-                                 const std::vector<bool>&);
-template ShapeMesh solid_mesh<3>(const Filtration<3>&, const WeightedPoints&, std::uint32_t,
-                                 const std::vector<bool>&);
+template std::array<VertexId, 2> outward_facet<2>(const AlphaComplex<2>&, SimplexId);
+template std::array<VertexId, 3> outward_facet<3>(const AlphaComplex<3>&, SimplexId);
+template ShapeMesh shape_mesh<2>(const AlphaComplex<2>&, const WeightedPoints&);
+template ShapeMesh shape_mesh<3>(const AlphaComplex<3>&, const WeightedPoints&);
 
 }  // namespace orthoball

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "orthoball/filtration/filtration.h"
+#include "orthoball/filtration/alpha_complex.h"
 #include "orthoball/ids.h"
 #include "orthoball/points/weighted_points.h"
 
@@ -34,31 +34,15 @@ struct ShapeMesh {
   [[nodiscard]] std::size_t vertex_count() const { return rows.size(); }
 };
 
-/// The boundary of K_index. Simplices and vertices come in the order of their numbers, so the mesh
-/// depends on the set of sites alone but for `rows`.
-/// @param points       what the filtration was made of.
-/// @param regularized  regular facets only: the boundary of the closure of the shape's interior.
+/// The boundary of a complex. Simplices and vertices come in the order of their numbers, so the
+/// mesh depends on the set of sites alone but for `rows`.
+/// @param points  what the filtration was made of.
 template <int D>
-[[nodiscard]] ShapeMesh shape_mesh(const Filtration<D>& filtration, const WeightedPoints& points,
-                                   std::uint32_t index, bool regularized);
+[[nodiscard]] ShapeMesh shape_mesh(const AlphaComplex<D>& complex, const WeightedPoints& points);
 
-extern template ShapeMesh shape_mesh<2>(const Filtration<2>&, const WeightedPoints&, std::uint32_t,
-                                        bool);  // defined in shape_mesh.cpp
-extern template ShapeMesh shape_mesh<3>(const Filtration<3>&, const WeightedPoints&, std::uint32_t,
-                                        bool);
-
-/// The boundary of a set of cells, all of it regular. Vertices come in the order of their numbers,
-/// facets in that of the cells inside.
-/// @param points    what the filtration was made of.
-/// @param contains  [cell], by number among cells: the set.
-template <int D>
-[[nodiscard]] ShapeMesh solid_mesh(const Filtration<D>& filtration, const WeightedPoints& points,
-                                   std::uint32_t index, const std::vector<bool>& contains);
-
-extern template ShapeMesh solid_mesh<2>(const Filtration<2>&, const WeightedPoints&, std::uint32_t,
-                                        const std::vector<bool>&);  // defined in shape_mesh.cpp
-extern template ShapeMesh solid_mesh<3>(const Filtration<3>&, const WeightedPoints&, std::uint32_t,
-                                        const std::vector<bool>&);
+extern template ShapeMesh shape_mesh<2>(const AlphaComplex<2>&,
+                                        const WeightedPoints&);  // defined in shape_mesh.cpp
+extern template ShapeMesh shape_mesh<3>(const AlphaComplex<3>&, const WeightedPoints&);
 
 /// The facet of a cell opposite to corner `apex`, in the order that puts the cell on the left
 /// (D = 2) or makes it turn counterclockwise seen from outside the cell (D = 3). Exact.
@@ -71,15 +55,12 @@ extern template std::array<VertexId, 3> outward_facet<3>(const CellRecord<3>&, s
 
 /// A facet of the cell on its inside: corners in the order that puts the cell on the left (D = 2)
 /// or makes it turn counterclockwise seen from outside (D = 3). Exact.
-/// @param facet  regular at `index`.
+/// @param facet  regular in the complex.
 template <int D>
-[[nodiscard]] std::array<VertexId, std::size_t{D}> outward_facet(const Filtration<D>& filtration,
-                                                                 SimplexId facet,
-                                                                 std::uint32_t index);
+[[nodiscard]] std::array<VertexId, std::size_t{D}> outward_facet(const AlphaComplex<D>& complex,
+                                                                 SimplexId facet);
 
-extern template std::array<VertexId, 2> outward_facet<2>(const Filtration<2>&, SimplexId,
-                                                         std::uint32_t);
-extern template std::array<VertexId, 3> outward_facet<3>(const Filtration<3>&, SimplexId,
-                                                         std::uint32_t);
+extern template std::array<VertexId, 2> outward_facet<2>(const AlphaComplex<2>&, SimplexId);
+extern template std::array<VertexId, 3> outward_facet<3>(const AlphaComplex<3>&, SimplexId);
 
 }  // namespace orthoball

@@ -177,12 +177,14 @@ std::vector<SolidChange<D>> Describing<D>::changes() const {
 }  // namespace
 
 template <int D>
-ManifoldSolid<D> manifold_solid(const Filtration<D>& filtration, std::uint32_t index) {
-  const ScaledBalls<D> balls(filtration, index, 0.0);
+ManifoldSolid<D> manifold_solid(const AlphaComplex<D>& shape) {
+  constexpr double kNoRadii = -std::numeric_limits<double>::infinity();
+  const Filtration<D>& filtration = shape.filtration();
+  const ScaledBalls<D> balls(filtration, shape.index(), kNoRadii);
   const auto cells = filtration.triangulation().template cells<D>();
   std::vector<bool> solid(cells.size());
   for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
-    solid[cell] = filtration.enters(SimplexId(filtration.table().first(D) + cell)) <= index;
+    solid[cell] = shape.contains(SimplexId(filtration.table().first(D) + cell));
   }
   ManifoldSolid<D> result;
   if constexpr (D == 3) result.offending_edges = crowded_edges(cells, solid);
@@ -205,7 +207,20 @@ ManifoldSolid<D> manifold_solid(const Filtration<D>& filtration, std::uint32_t i
   return result;
 }
 
-template ManifoldSolid<2> manifold_solid<2>(const Filtration<2>&, std::uint32_t);
-template ManifoldSolid<3> manifold_solid<3>(const Filtration<3>&, std::uint32_t);
+template <int D>
+AlphaComplex<D> complex_of(const ManifoldSolid<D>& solid, const AlphaComplex<D>& shape) {
+  const std::uint32_t first = shape.filtration().table().first(D);
+  std::vector<SimplexId> cells;
+  cells.reserve(solid.cell_count);
+  for (std::uint32_t cell = 0; cell < solid.contains.size(); ++cell) {
+    if (solid.contains[cell]) cells.emplace_back(first + cell);
+  }
+  return {shape.filtration(), shape.index(), cells};
+}
+
+template ManifoldSolid<2> manifold_solid(const AlphaComplex<2>&);
+template ManifoldSolid<3> manifold_solid(const AlphaComplex<3>&);
+template AlphaComplex<2> complex_of(const ManifoldSolid<2>&, const AlphaComplex<2>&);
+template AlphaComplex<3> complex_of(const ManifoldSolid<3>&, const AlphaComplex<3>&);
 
 }  // namespace orthoball

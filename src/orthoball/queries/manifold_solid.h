@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "orthoball/filtration/filtration.h"
+#include "orthoball/filtration/alpha_complex.h"
 #include "orthoball/ids.h"
 
 namespace orthoball {
@@ -34,16 +34,16 @@ struct ManifoldSolid {
   std::int64_t euler = 0;               ///< Euler number of the boundary: 2 a sphere, 0 a torus
   double added = 0.0, removed = 0.0;    ///< volumes; length^D
   std::vector<SolidChange<D>> changes;  ///< the largest volume first, then by first cell
-  /// The vertices at which the boundary of the cells of K_index is no manifold, by row.
+  /// The vertices at which the boundary of the cells of the shape is no manifold, by row.
   std::vector<SiteId> offending;
   std::uint32_t offending_edges = 0;  ///< in space: edges with more than two boundary triangles
 };
 
-/// The solid nearest to the cells of K_index, as far as a local search sees, whose boundary is a
+/// The solid nearest to the cells of a shape, as far as a local search sees, whose boundary is a
 /// closed manifold: cells of the triangulation are added or removed where two sheets of the
 /// boundary meet in an edge or a vertex. Its vertices are sites; none is there twice. Singular
-/// simplices are no part of it. All cells of K_index, and nothing else, where these are a manifold
-/// already; no cells where the sites span less than R^D.
+/// simplices are no part of it. All cells of the shape, and nothing else, where these are a
+/// manifold already; no cells where the sites span less than R^D.
 ///
 /// A manifold: exact, always. Near: each step makes the number of surplus parts around vertices
 /// (StarParts) smaller, and those come first that change the least volume for it; at the end no
@@ -54,12 +54,17 @@ struct ManifoldSolid {
 /// such solid: then much is changed.
 ///
 /// Nearly linear in the cells, but for what must be changed.
-/// @throws InputError for an index beyond the spectrum's size.
 template <int D>
-[[nodiscard]] ManifoldSolid<D> manifold_solid(const Filtration<D>& filtration, std::uint32_t index);
+[[nodiscard]] ManifoldSolid<D> manifold_solid(const AlphaComplex<D>& shape);
 
-extern template ManifoldSolid<2> manifold_solid<2>(const Filtration<2>&,
-                                                   std::uint32_t);  // in manifold_solid.cpp
-extern template ManifoldSolid<3> manifold_solid<3>(const Filtration<3>&, std::uint32_t);
+/// The solid in the place of that shape: its cells and all their faces.
+template <int D>
+[[nodiscard]] AlphaComplex<D> complex_of(const ManifoldSolid<D>& solid,
+                                         const AlphaComplex<D>& shape);
+
+extern template ManifoldSolid<2> manifold_solid(const AlphaComplex<2>&);  // in manifold_solid.cpp
+extern template ManifoldSolid<3> manifold_solid(const AlphaComplex<3>&);
+extern template AlphaComplex<2> complex_of(const ManifoldSolid<2>&, const AlphaComplex<2>&);
+extern template AlphaComplex<3> complex_of(const ManifoldSolid<3>&, const AlphaComplex<3>&);
 
 }  // namespace orthoball

@@ -188,18 +188,16 @@ class BoxTree {
 };
 
 template <int D>
-std::vector<Piece<D>> boundary_pieces(const Filtration<D>& filtration, std::uint32_t index,
-                                      bool regularized, const ScaledBalls<D>& balls) {
+std::vector<Piece<D>> boundary_pieces(const AlphaComplex<D>& complex, const ScaledBalls<D>& balls) {
+  const Filtration<D>& filtration = complex.filtration();
   std::vector<Piece<D>> pieces;
   for (int dimension = 0; dimension < D; ++dimension) {
     const std::uint32_t first = filtration.table().first(dimension);
     const auto end = static_cast<std::uint32_t>(first + filtration.count(dimension));
     for (std::uint32_t number = first; number < end; ++number) {
       const SimplexId simplex(number);
-      const Role role = filtration.role(simplex, index);
-      const bool is_wanted =
-          role == Role::regular ? dimension == D - 1 : role == Role::singular && !regularized;
-      if (!is_wanted) continue;
+      const Role role = complex.role(simplex);
+      if (role != Role::singular && (role != Role::regular || dimension < D - 1)) continue;
       Piece<D> piece;
       for (const VertexId vertex : filtration.vertices(simplex)) {
         piece.corners[piece.count++] = balls.spheres()[vertex.row()].x;
@@ -214,13 +212,12 @@ std::vector<Piece<D>> boundary_pieces(const Filtration<D>& filtration, std::uint
 }  // namespace
 
 template <int D>
-std::vector<BoundaryPoint<D>> nearest_on_boundary(const Filtration<D>& filtration,
-                                                  std::uint32_t index, const WeightedPoints& points,
-                                                  bool regularized, Threads threads) {
+std::vector<BoundaryPoint<D>> nearest_on_boundary(const AlphaComplex<D>& complex,
+                                                  const WeightedPoints& points, Threads threads) {
   require_dimension(points, D);
   constexpr double kNoRadii = -std::numeric_limits<double>::infinity();
-  const ScaledBalls<D> balls(filtration, index, kNoRadii);
-  const BoxTree<D> tree(boundary_pieces(filtration, index, regularized, balls));
+  const ScaledBalls<D> balls(complex.filtration(), complex.index(), kNoRadii);
+  const BoxTree<D> tree(boundary_pieces(complex, balls));
   const InputUnits lengths = balls.units(1);
   std::vector<BoundaryPoint<D>> result(points.size());
   const Threads used = threads.for_work(result.size(), kLeastPart);
@@ -244,9 +241,9 @@ std::vector<BoundaryPoint<D>> nearest_on_boundary(const Filtration<D>& filtratio
   return result;
 }
 
-template std::vector<BoundaryPoint<2>> nearest_on_boundary<2>(const Filtration<2>&, std::uint32_t,
-                                                              const WeightedPoints&, bool, Threads);
-template std::vector<BoundaryPoint<3>> nearest_on_boundary<3>(const Filtration<3>&, std::uint32_t,
-                                                              const WeightedPoints&, bool, Threads);
+template std::vector<BoundaryPoint<2>> nearest_on_boundary<2>(const AlphaComplex<2>&,
+                                                              const WeightedPoints&, Threads);
+template std::vector<BoundaryPoint<3>> nearest_on_boundary<3>(const AlphaComplex<3>&,
+                                                              const WeightedPoints&, Threads);
 
 }  // namespace orthoball

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
-#include "orthoball/filtration/filtration.h"
+#include "orthoball/filtration/alpha_complex.h"
 #include "orthoball/ids.h"
 #include "orthoball/parallel.h"
 #include "orthoball/points/weighted_points.h"
@@ -21,29 +20,24 @@ struct BoundaryPoint {
   SimplexId simplex{};  ///< facet, or singular simplex of lower dimension; none without boundary
 };
 
-/// [row of `points`]: the point of the boundary of the shape at an index that is nearest to that
-/// point: on its regular and singular facets, singular edges and singular vertices. Of simplices at
-/// one distance that with the smallest number.
+/// [row of `points`]: the point of the boundary of a shape that is nearest to that point: on its
+/// regular and singular facets, singular edges and singular vertices. Of simplices at one distance
+/// that with the smallest number.
 ///
 /// Computed in doubles: distances err by a few 2^-53 of the largest coordinate or distance at hand,
 /// and of two simplices that are as near as that either may be taken. About logarithmic for each
 /// point, by a tree of boxes around the simplices.
-/// @param regularized  regular facets only: the boundary of the closure of the shape's interior.
-/// @throws InputError for an index beyond the spectrum's size, for points of another dimension.
+/// @throws InputError for points of another dimension.
 template <int D>
-[[nodiscard]] std::vector<BoundaryPoint<D>> nearest_on_boundary(const Filtration<D>& filtration,
-                                                                std::uint32_t index,
+[[nodiscard]] std::vector<BoundaryPoint<D>> nearest_on_boundary(const AlphaComplex<D>& complex,
                                                                 const WeightedPoints& points,
-                                                                bool regularized,
                                                                 Threads threads = {});
 
-extern template std::vector<BoundaryPoint<2>> nearest_on_boundary<2>(const Filtration<2>&,
-                                                                     std::uint32_t,
-                                                                     const WeightedPoints&, bool,
+extern template std::vector<BoundaryPoint<2>> nearest_on_boundary<2>(const AlphaComplex<2>&,
+                                                                     const WeightedPoints&,
                                                                      Threads);  // in nearest.cpp
-extern template std::vector<BoundaryPoint<3>> nearest_on_boundary<3>(const Filtration<3>&,
-                                                                     std::uint32_t,
-                                                                     const WeightedPoints&, bool,
+extern template std::vector<BoundaryPoint<3>> nearest_on_boundary<3>(const AlphaComplex<3>&,
+                                                                     const WeightedPoints&,
                                                                      Threads);
 
 }  // namespace orthoball

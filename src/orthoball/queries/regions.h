@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
-#include "orthoball/filtration/filtration.h"
+#include "orthoball/filtration/alpha_complex.h"
 #include "orthoball/ids.h"
 
 namespace orthoball {
@@ -16,26 +17,40 @@ enum class JoinedBy {
   facets,    ///< cells with a common facet: the components of the shape's interior
 };
 
-/// A part of an alpha shape. In input units, as ComplexMeasures.
+/// A part of an alpha shape, or of what is around it. In input units, as ComplexMeasures.
 struct Region {
   double volume = 0.0;           ///< of its cells; length^D
   double area = 0.0;             ///< two-sided where facets are singular; length^(D-1)
   std::vector<SiteId> rows;      ///< of its vertices, ascending
   std::vector<SimplexId> cells;  ///< ascending
+  /// [k]: of the region alone, closed; 0 from the dimension of space on.
+  std::array<std::uint32_t, 3> betti{};
 };
 
-/// The regions of the shape at one index, the largest volume first; equal ones by area, then by the
-/// lowest row. Singular simplices belong to regions with JoinedBy::vertices only; a row may be in
-/// several with JoinedBy::facets only.
+/// The regions of a shape, the largest volume first; equal ones by area, then by the lowest row.
+/// Singular simplices belong to regions with JoinedBy::vertices only; a row may be in several with
+/// JoinedBy::facets only.
 ///
-/// Which simplices are whose is exact. Linear but for sorting.
-/// @throws InputError for an index beyond the spectrum's size.
+/// Which simplices are whose, and Betti numbers, are exact. Linear but for sorting.
 template <int D>
-[[nodiscard]] std::vector<Region> regions(const Filtration<D>& filtration, std::uint32_t index,
-                                          JoinedBy by);
+[[nodiscard]] std::vector<Region> regions(const AlphaComplex<D>& complex, JoinedBy by);
 
-extern template std::vector<Region> regions<2>(const Filtration<2>&, std::uint32_t,
+/// All of a shape as one region, with the Betti numbers of the whole.
+template <int D>
+[[nodiscard]] Region whole_shape(const AlphaComplex<D>& complex);
+
+/// The holes of a shape, the bounded components of its complement, in the same order: those of
+/// K_index are its voids. Cells are outside the complex, rows those of their vertices that are in
+/// it; area is that of the complex around. No Betti numbers.
+template <int D>
+[[nodiscard]] std::vector<Region> holes(const AlphaComplex<D>& complex);
+
+extern template std::vector<Region> regions<2>(const AlphaComplex<2>&,
                                                JoinedBy);  // in regions.cpp
-extern template std::vector<Region> regions<3>(const Filtration<3>&, std::uint32_t, JoinedBy);
+extern template std::vector<Region> regions<3>(const AlphaComplex<3>&, JoinedBy);
+extern template Region whole_shape<2>(const AlphaComplex<2>&);
+extern template Region whole_shape<3>(const AlphaComplex<3>&);
+extern template std::vector<Region> holes<2>(const AlphaComplex<2>&);
+extern template std::vector<Region> holes<3>(const AlphaComplex<3>&);
 
 }  // namespace orthoball

@@ -21,7 +21,7 @@ struct Written {
 Written mixed(MeshFormat format, bool roles) {
   const auto shapes = mixed_shapes();
   const std::uint32_t index = shapes.filtration.index(1.0);
-  Written result{shape_mesh(shapes.filtration, shapes.points, index, false), {}};
+  Written result{shape_mesh(AlphaComplex(shapes.filtration, index), shapes.points), {}};
   result.bytes = written([&](ByteSink& s) { write_mesh(s, result.mesh, {format, roles, 1.0}); });
   return result;
 }

@@ -13,10 +13,11 @@ namespace {
 // A square with its middle, an edge, and a point.
 Shapes<2> three_things() { return Shapes<2>({0, 0, 1, 0, 1, 1, 0, 1, 0.5, 0.5, 9, 0, 9, 1, 5, 9}); }
 
-nlohmann::json geojson(const Shapes<2>& shapes, double alpha2, bool regularized = false) {
-  const PlanarShapeOptions options{shapes.filtration.index(alpha2), alpha2, regularized, false};
-  return nlohmann::json::parse(
-      written([&](ByteSink& s) { write_geojson(s, shapes.filtration, shapes.points, options); }));
+nlohmann::json geojson(const Shapes<2>& shapes, double alpha2, bool is_regularized = false) {
+  const AlphaComplex<2> complex(shapes.filtration, shapes.filtration.index(alpha2));
+  return nlohmann::json::parse(written([&](ByteSink& s) {
+    write_geojson(s, is_regularized ? regularized(complex) : complex, shapes.points, {alpha2});
+  }));
 }
 
 TEST(GeoJson, HoldsTheInteriorSingularEdgesAndSingularVertices) {
@@ -49,8 +50,8 @@ TEST(GeoJson, AnEmptyShapeIsACollectionWithoutFeatures) {
 TEST(ShapeSvg, DrawsYUpwards) {
   const auto shapes = three_things();
   const std::string svg = written([&](ByteSink& s) {
-    write_shape_svg(s, shapes.filtration, shapes.points,
-                    {shapes.filtration.index(0.25), 0.25, false, true});
+    const AlphaComplex complex(shapes.filtration, shapes.filtration.index(0.25));
+    write_shape_svg(s, complex, shapes.points, {0.25, true});
   });
   EXPECT_NE(svg.find("d=\"M464.44 20h0\""), std::string::npos) << svg;  // (5, 9) is at the top
   EXPECT_NE(svg.find("class=\"regular\""), std::string::npos);
@@ -59,8 +60,9 @@ TEST(ShapeSvg, DrawsYUpwards) {
 TEST(ShapeSvg, APictureOfNothingOrOnePointHasASize) {
   for (const auto& coordinates : {std::vector<double>{}, std::vector<double>{3, 4}}) {
     const Shapes<2> shapes(coordinates);
-    const std::string svg =
-        written([&](ByteSink& s) { write_shape_svg(s, shapes.filtration, shapes.points, {}); });
+    const std::string svg = written([&](ByteSink& s) {
+      write_shape_svg(s, AlphaComplex(shapes.filtration, 0), shapes.points, {});
+    });
     EXPECT_NE(svg.find("width=\"40\" height=\"40\""), std::string::npos) << svg;
   }
 }

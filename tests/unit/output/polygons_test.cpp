@@ -24,7 +24,7 @@ double area(const Shapes<2>& shapes, const std::vector<VertexId>& ring) {
 }
 
 std::vector<Polygon> polygons_of(const Shapes<2>& shapes, double alpha2) {
-  auto found = polygons(shapes.filtration, shapes.filtration.index(alpha2));
+  auto found = polygons(AlphaComplex(shapes.filtration, shapes.filtration.index(alpha2)));
   for (const Polygon& polygon : found) {
     for (std::size_t r = 0; r < polygon.rings.size(); ++r) {
       const auto& ring = polygon.rings[r];

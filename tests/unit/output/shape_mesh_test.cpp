@@ -39,7 +39,7 @@ Shapes<3> blob() {
 TEST(ShapeMesh, HoldsEveryKindOfBoundarySimplex) {
   const auto shapes = mixed_shapes();
   const auto mesh =
-      shape_mesh(shapes.filtration, shapes.points, shapes.filtration.index(1.0), false);
+      shape_mesh(AlphaComplex(shapes.filtration, shapes.filtration.index(1.0)), shapes.points);
   EXPECT_EQ(std::count(mesh.triangle_roles.begin(), mesh.triangle_roles.end(), Role::regular), 8);
   EXPECT_EQ(std::count(mesh.triangle_roles.begin(), mesh.triangle_roles.end(), Role::singular), 1);
   EXPECT_EQ(mesh.edges.size(), 1U);
@@ -51,8 +51,8 @@ TEST(ShapeMesh, HoldsEveryKindOfBoundarySimplex) {
 
 TEST(ShapeMesh, RegularizedKeepsRegularFacetsAndTheirVerticesOnly) {
   const auto shapes = mixed_shapes();
-  const auto mesh =
-      shape_mesh(shapes.filtration, shapes.points, shapes.filtration.index(1.0), true);
+  const auto mesh = shape_mesh(
+      regularized(AlphaComplex(shapes.filtration, shapes.filtration.index(1.0))), shapes.points);
   EXPECT_EQ(mesh.triangles.size(), 8U);
   EXPECT_TRUE(mesh.edges.empty() && mesh.isolated.empty());
   EXPECT_EQ(mesh.vertex_count(), 6U);
@@ -79,7 +79,7 @@ TEST(ShapeMesh, RegularTrianglesEncloseTheVolumeOfTheTetrahedraInside) {
       EXPECT_GT(volume, 0.0);
       inside += volume;
     }
-    const auto mesh = shape_mesh(filtration, shapes.points, index, true);
+    const auto mesh = shape_mesh(regularized(AlphaComplex(filtration, index)), shapes.points);
     EXPECT_NEAR(enclosed(mesh), inside, 1e-9);
   }
 }
@@ -87,7 +87,8 @@ TEST(ShapeMesh, RegularTrianglesEncloseTheVolumeOfTheTetrahedraInside) {
 TEST(ShapeMesh, EveryEdgeOfTheRegularBoundaryIsRunThroughEquallyOftenInBothDirections) {
   const auto shapes = blob();
   for (std::uint32_t index = 1; index <= shapes.filtration.spectrum_size(); index += 23) {
-    const auto mesh = shape_mesh(shapes.filtration, shapes.points, index, true);
+    const auto mesh =
+        shape_mesh(regularized(AlphaComplex(shapes.filtration, index)), shapes.points);
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
     for (const auto& t : mesh.triangles) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -106,7 +107,7 @@ TEST(ShapeMesh, SingularTrianglesOfAFlatSetAllTurnTheSameWay) {
   }
   const Shapes<3> shapes(coordinates);
   const auto mesh =
-      shape_mesh(shapes.filtration, shapes.points, shapes.filtration.spectrum_size(), false);
+      shape_mesh(AlphaComplex(shapes.filtration, shapes.filtration.spectrum_size()), shapes.points);
   ASSERT_EQ(mesh.triangles.size(), 32U);
   int counterclockwise = 0;
   for (const auto& t : mesh.triangles) {
@@ -124,7 +125,7 @@ TEST(ShapeMesh, SingularTrianglesOfAFlatSetAllTurnTheSameWay) {
 TEST(ShapeMesh, RegularEdgesOfThePlaneHaveTheInsideOnTheirLeft) {
   const auto shapes = checkered(5, [](int x, int y) { return x == 2 && y == 2; });
   const auto mesh =
-      shape_mesh(shapes.filtration, shapes.points, shapes.filtration.index(0.25), false);
+      shape_mesh(AlphaComplex(shapes.filtration, shapes.filtration.index(0.25)), shapes.points);
   EXPECT_EQ(mesh.edges.size(), 24U);
   double twice_area = 0.0;
   for (const auto& [a, b] : mesh.edges) {
@@ -138,9 +139,9 @@ TEST(ShapeMesh, RegularEdgesOfThePlaneHaveTheInsideOnTheirLeft) {
 
 TEST(ShapeMesh, IsEmptyAtIndexZeroAndWithoutSites) {
   const auto shapes = mixed_shapes();
-  EXPECT_EQ(shape_mesh(shapes.filtration, shapes.points, 0, false).vertex_count(), 0U);
+  EXPECT_EQ(shape_mesh(AlphaComplex(shapes.filtration, 0), shapes.points).vertex_count(), 0U);
   const Shapes<2> none({});
-  EXPECT_EQ(shape_mesh(none.filtration, none.points, 0, false).vertex_count(), 0U);
+  EXPECT_EQ(shape_mesh(AlphaComplex(none.filtration, 0), none.points).vertex_count(), 0U);
 }
 
 }  // namespace

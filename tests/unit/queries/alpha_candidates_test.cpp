@@ -55,7 +55,7 @@ TEST(AlphaCandidates, HaveTheFirstClosedManifoldWithAllVertices) {
       for (std::uint32_t s = 0; s < filtration.size() && is_smooth; ++s) {
         is_smooth = filtration.role(SimplexId(s), i) != Role::singular;
       }
-      if (is_smooth && manifold_solid(filtration, i).offending.empty()) first = i;
+      if (is_smooth && manifold_solid(AlphaComplex(filtration, i)).offending.empty()) first = i;
     }
     EXPECT_EQ(candidate(filtration, "manifold").alpha.index, first);
   };

@@ -24,7 +24,7 @@ Shapes<2> two_squares() {
 
 TEST(ManifoldSolid, JoinsSquaresThatTouchInACorner) {
   const Shapes<2> shapes = two_squares();
-  const auto solid = manifold_solid(shapes.filtration, shapes.filtration.index(0.3));
+  const auto solid = manifold_solid(AlphaComplex(shapes.filtration, shapes.filtration.index(0.3)));
   ASSERT_EQ(solid.offending.size(), 1U);
   EXPECT_EQ(shapes.points.coordinate(solid.offending[0].row(), 0), 1.0);
   EXPECT_EQ(shapes.points.coordinate(solid.offending[0].row(), 1), 1.0);
@@ -56,7 +56,7 @@ Shapes<3> two_cubes() {
 
 TEST(ManifoldSolid, JoinsOrPartsCubesThatTouchInAnEdge) {
   const Shapes<3> shapes = two_cubes();
-  const auto solid = manifold_solid(shapes.filtration, shapes.filtration.index(0.6));
+  const auto solid = manifold_solid(AlphaComplex(shapes.filtration, shapes.filtration.index(0.6)));
   EXPECT_EQ(solid.offending_edges, 1U);
   EXPECT_EQ(solid.offending, rows({3, 10}));
   EXPECT_GT(solid.added + solid.removed, 0.0);
@@ -67,8 +67,8 @@ TEST(ManifoldSolid, JoinsOrPartsCubesThatTouchInAnEdge) {
 
 TEST(ManifoldSolid, LeavesASurfaceThatIsAManifoldAsItIs) {
   const Shapes<3> shapes = two_cubes();
-  const auto solid =
-      manifold_solid(shapes.filtration, shapes.filtration.spectrum_size());  // the convex hull
+  const auto solid = manifold_solid(
+      AlphaComplex(shapes.filtration, shapes.filtration.spectrum_size()));  // the convex hull
   EXPECT_TRUE(solid.offending.empty());
   EXPECT_TRUE(solid.changes.empty());
   EXPECT_EQ(solid.cell_count, shapes.filtration.count(3));
@@ -79,10 +79,11 @@ TEST(ManifoldSolid, LeavesASurfaceThatIsAManifoldAsItIs) {
 
 TEST(ManifoldSolid, HasNoSingularSimplices) {
   const Shapes<3> shapes = mixed_shapes();
-  const auto solid = manifold_solid(shapes.filtration, shapes.filtration.index(0.6));
+  const auto solid = manifold_solid(AlphaComplex(shapes.filtration, shapes.filtration.index(0.6)));
   EXPECT_EQ(solid.cell_count, 0U);
   EXPECT_EQ(solid.area, 0.0);
-  const auto octahedron = manifold_solid(shapes.filtration, shapes.filtration.index(1.0));
+  const auto octahedron =
+      manifold_solid(AlphaComplex(shapes.filtration, shapes.filtration.index(1.0)));
   EXPECT_EQ(octahedron.cell_count, 4U);
   EXPECT_EQ(octahedron.surface_count, 1U);
   EXPECT_NEAR(octahedron.volume, 4.0 / 3, 1e-15);
@@ -92,7 +93,8 @@ TEST(ManifoldSolid, IsEmptyWhereTheSitesSpanNoSpace) {
   for (const auto& coordinates : {std::vector<double>{}, std::vector<double>{1, 2, 3},
                                   std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}}) {
     const Shapes<3> shapes(coordinates);
-    const auto solid = manifold_solid(shapes.filtration, shapes.filtration.spectrum_size());
+    const auto solid =
+        manifold_solid(AlphaComplex(shapes.filtration, shapes.filtration.spectrum_size()));
     EXPECT_EQ(solid.cell_count, 0U);
     EXPECT_TRUE(solid.offending.empty());
   }
@@ -100,7 +102,8 @@ TEST(ManifoldSolid, IsEmptyWhereTheSitesSpanNoSpace) {
 
 TEST(ManifoldSolid, RefusesAnIndexBeyondTheSpectrum) {
   const Shapes<3> shapes = two_cubes();
-  EXPECT_THROW((void)manifold_solid(shapes.filtration, shapes.filtration.never()), InputError);
+  EXPECT_THROW((void)manifold_solid(AlphaComplex(shapes.filtration, shapes.filtration.never())),
+               InputError);
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ TEST(NearestOnBoundary, OfATetrahedronIsOnFacesEdgesAndCorners) {
       WeightedPoints(3, {0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0, 4}, WeightKind::none, {}));
   const WeightedPoints points(3, {1, 1, -2, 2, -3, -4, -1, -2, -2, 0.5, 1, 1, 4, 4, 4},
                               WeightKind::none, {});
-  const auto found = nearest_on_boundary(filtration, filtration.spectrum_size(), points, false);
+  const auto found =
+      nearest_on_boundary(AlphaComplex(filtration, filtration.spectrum_size()), points);
   ASSERT_EQ(found.size(), 5U);
   using Point = std::array<double, 3>;
   EXPECT_EQ(found[0].point, (Point{1, 1, 0}));
@@ -46,12 +47,12 @@ TEST(NearestOnBoundary, SingularSimplicesCountUnlessRegularized) {
       WeightedPoints(2, {0, 0, 1, 0, 0, 1, 10, 0, 11, 0, 20, 0}, WeightKind::none, {}));
   const std::uint32_t index = filtration.index(0.5);
   const WeightedPoints points(2, {10.5, 3, 20, 4}, WeightKind::none, {});
-  const auto all = nearest_on_boundary(filtration, index, points, false);
+  const auto all = nearest_on_boundary(AlphaComplex(filtration, index), points);
   EXPECT_EQ(all[0].distance, 3.0);
   EXPECT_EQ(filtration.dimension(all[0].simplex), 1);
   EXPECT_EQ(all[1].distance, 4.0);
   EXPECT_EQ(filtration.dimension(all[1].simplex), 0);
-  const auto solid = nearest_on_boundary(filtration, index, points, true);
+  const auto solid = nearest_on_boundary(regularized(AlphaComplex(filtration, index)), points);
   EXPECT_EQ(solid[0].point, (std::array<double, 2>{1, 0}));
   EXPECT_EQ(solid[0].distance, std::hypot(9.5, 3.0));
 }
@@ -59,10 +60,10 @@ TEST(NearestOnBoundary, SingularSimplicesCountUnlessRegularized) {
 TEST(NearestOnBoundary, WithoutBoundaryThereIsNone) {
   const auto filtration = filtration_of<2>(WeightedPoints(2, {0, 0, 1, 0}, WeightKind::none, {}));
   const WeightedPoints points(2, {0, 0}, WeightKind::none, {});
-  const auto found = nearest_on_boundary(filtration, 0, points, false);
+  const auto found = nearest_on_boundary(AlphaComplex(filtration, 0), points);
   EXPECT_FALSE(found[0].simplex.exists());
   EXPECT_TRUE(std::isinf(found[0].distance));
-  EXPECT_THROW((void)nearest_on_boundary(filtration, filtration.never(), points, false),
+  EXPECT_THROW((void)nearest_on_boundary(AlphaComplex(filtration, filtration.never()), points),
                InputError);
 }
 
@@ -119,8 +120,8 @@ void is_nearest(const WeightedPoints& points, std::uint64_t seed) {
       queries.push_back(points.coordinate(row, axis) * random.uniform(0.5, 1.5));
     }
   }
-  const auto found = nearest_on_boundary(filtration, index,
-                                         WeightedPoints(D, queries, WeightKind::none, {}), false);
+  const auto found = nearest_on_boundary(AlphaComplex(filtration, index),
+                                         WeightedPoints(D, queries, WeightKind::none, {}));
   for (std::size_t i = 0; i < found.size(); ++i) {
     Point<D> query;
     for (std::size_t axis = 0; axis < D; ++axis) query[axis] = queries[D * i + axis];

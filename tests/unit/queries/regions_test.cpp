@@ -36,7 +36,7 @@ const double kPerimeter = 6 + 2 * std::sqrt(109.0);  // of a triangle
 
 TEST(Regions, AreTheComponentsOfTheComplexWithTheirMeasures) {
   const auto filtration = filtration_of<2>(figures());
-  const auto found = regions(filtration, filtration.index(30.0), JoinedBy::vertices);
+  const auto found = regions(AlphaComplex(filtration, filtration.index(30.0)), JoinedBy::vertices);
   ASSERT_EQ(found.size(), 3U);
   EXPECT_EQ(found[0].volume, 60.0);
   EXPECT_DOUBLE_EQ(found[0].area, 2 * kPerimeter);
@@ -51,7 +51,7 @@ TEST(Regions, AreTheComponentsOfTheComplexWithTheirMeasures) {
 
 TEST(Regions, JoinedByFacetsAreApartWhereTheyHaveACornerInCommon) {
   const auto filtration = filtration_of<2>(figures());
-  const auto found = regions(filtration, filtration.index(30.0), JoinedBy::facets);
+  const auto found = regions(AlphaComplex(filtration, filtration.index(30.0)), JoinedBy::facets);
   ASSERT_EQ(found.size(), 2U);
   for (const Region& triangle : found) {
     EXPECT_EQ(triangle.volume, 30.0);
@@ -63,7 +63,7 @@ TEST(Regions, JoinedByFacetsAreApartWhereTheyHaveACornerInCommon) {
 
 TEST(Regions, JoinedByCellsAreOneWhereTheyHaveACornerInCommon) {
   const auto filtration = filtration_of<2>(figures());
-  const auto found = regions(filtration, filtration.index(30.0), JoinedBy::cells);
+  const auto found = regions(AlphaComplex(filtration, filtration.index(30.0)), JoinedBy::cells);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].volume, 60.0);
   EXPECT_DOUBLE_EQ(found[0].area, 2 * kPerimeter);
@@ -73,23 +73,25 @@ TEST(Regions, JoinedByCellsAreOneWhereTheyHaveACornerInCommon) {
 TEST(Regions, OfTheEmptyComplexAreNoneAndBeyondTheSpectrumAnError) {
   const auto filtration = filtration_of<2>(figures());
   for (const auto by : {JoinedBy::vertices, JoinedBy::cells, JoinedBy::facets}) {
-    EXPECT_TRUE(regions(filtration, 0, by).empty());
-    EXPECT_THROW((void)regions(filtration, filtration.never(), by), InputError);
+    EXPECT_TRUE(regions(AlphaComplex(filtration, 0), by).empty());
+    EXPECT_THROW((void)regions(AlphaComplex(filtration, filtration.never()), by), InputError);
   }
 }
 
 TEST(Regions, AFlatShapeInSpaceHasTwoSides) {
   const auto filtration =
       filtration_of<3>(WeightedPoints(3, {0, 0, 0, 2, 0, 0, 0, 2, 0}, WeightKind::none, {}));
-  const auto found = regions(filtration, filtration.spectrum_size(), JoinedBy::vertices);
+  const auto found =
+      regions(AlphaComplex(filtration, filtration.spectrum_size()), JoinedBy::vertices);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].volume, 0.0);
   EXPECT_EQ(found[0].area, 4.0);
-  EXPECT_TRUE(regions(filtration, filtration.spectrum_size(), JoinedBy::facets).empty());
+  EXPECT_TRUE(
+      regions(AlphaComplex(filtration, filtration.spectrum_size()), JoinedBy::facets).empty());
 }
 
 std::size_t polygons_count(const Filtration<2>& filtration, std::uint32_t index) {
-  return polygons(filtration, index).size();
+  return polygons(AlphaComplex(filtration, index)).size();
 }
 std::size_t polygons_count(const Filtration<3>&, std::uint32_t) { return 0; }
 
@@ -98,7 +100,7 @@ void add_up(const WeightedPoints& points) {
   const auto filtration = filtration_of<D>(points);
   for (const std::uint32_t part : {1U, 2U, 3U, 4U}) {
     const std::uint32_t index = filtration.spectrum_size() / 4 * part;
-    const auto all = regions(filtration, index, JoinedBy::vertices);
+    const auto all = regions(AlphaComplex(filtration, index), JoinedBy::vertices);
     EXPECT_EQ(all.size(), betti_numbers(filtration, index)[0]);
     const Signature<D> whole = signatures<D>(filtration, std::vector{index}).front();
     double volume = 0.0, area = 0.0, solid_volume = 0.0, solid_area = 0.0;
@@ -113,9 +115,14 @@ void add_up(const WeightedPoints& points) {
     EXPECT_TRUE(near(volume, whole.volume)) << volume << ' ' << whole.volume;
     EXPECT_TRUE(near(area, whole.area)) << area << ' ' << whole.area;
     EXPECT_EQ(cells, whole.interior[D]);
+    const Region together = whole_shape(AlphaComplex(filtration, index));
+    EXPECT_TRUE(near(together.volume, whole.volume));
+    EXPECT_TRUE(near(together.area, whole.area));
+    EXPECT_EQ(together.rows.size(), vertices);
+    for (std::size_t k = 0; k < D; ++k) EXPECT_EQ(together.betti[k], whole.betti[k]);
     EXPECT_EQ(vertices, whole.singular[0] + whole.regular[0] + whole.interior[0]);
     for (const auto by : {JoinedBy::cells, JoinedBy::facets}) {
-      const auto solids = regions(filtration, index, by);
+      const auto solids = regions(AlphaComplex(filtration, index), by);
       solid_volume = solid_area = 0.0;
       for (const Region& one : solids) {
         solid_volume += one.volume;
@@ -130,7 +137,7 @@ void add_up(const WeightedPoints& points) {
   }
   for (const NotableAlpha& notable : notable_alphas(filtration)) {
     if (notable.name != "one_region" || !notable.index) continue;
-    const auto one = regions(filtration, *notable.index, JoinedBy::cells);
+    const auto one = regions(AlphaComplex(filtration, *notable.index), JoinedBy::cells);
     ASSERT_EQ(one.size(), 1U);
     EXPECT_EQ(one[0].rows.size(), filtration.count(0));
   }
