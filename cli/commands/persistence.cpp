@@ -20,6 +20,8 @@
 #include "cli/usage_error.h"
 #include "orthoball/output/persistence_plot.h"
 #include "orthoball/output/persistence_table.h"
+#include "orthoball/output/representative_files.h"
+#include "orthoball/queries/representatives.h"
 
 namespace {
 
@@ -35,6 +37,8 @@ struct PersistenceOptions {
   std::string plot;
   std::string plot_kind = "diagram";
   std::string plot_axis = "alpha";
+  std::string representatives;         // a file, .json or .ply
+  std::string representatives_alpha2;  // empty: each class at its usual index
 };
 
 std::string format_of(const PersistenceOptions& options) {
@@ -83,8 +87,62 @@ void write_plot(const PersistenceOptions& options, const Loaded& input,
   });
 }
 
+// What makes the classes that are written, of those that live where they are to be shown.
+template <int D>
+void write_representatives(const PersistenceOptions& options, const Loaded& input,
+                           const orthoball::Filtration<D>& filtration,
+                           const orthoball::PersistencePairs<D>& pairs) {
+  const auto all = orthoball::persistence_pairs(filtration, orthoball::WantedPairs::all,
+                                                threads_of(options.input));
+  orthoball::Representatives<D> representatives(filtration, all);
+  std::vector<orthoball::Representative> found;
+  for (int k = 0; k < D; ++k) {
+    for (const orthoball::PersistencePair& pair : pairs[static_cast<std::size_t>(k)]) {
+      const std::uint32_t index =
+          options.representatives_alpha2.empty()
+              ? representatives.usual_index(k, pair)
+              : filtration.index(
+                    alpha2_from_text("--representatives-alpha2", options.representatives_alpha2));
+      const bool is_over = pair.death.exists() && filtration.enters(pair.death) <= index;
+      if (is_over || filtration.enters(pair.birth) > index) continue;
+      found.push_back(representatives.at(k, pair, index));
+    }
+  }
+  const std::size_t missing =
+      write_output(options.representatives, "null", [&](orthoball::ByteSink& sink) {
+        if (ending_of(options.representatives) == "ply") {
+          write_representatives_ply<D>(sink, filtration, input.shapes.points(), found);
+        } else {
+          write_representatives_json<D>(sink, filtration, found);
+        }
+      });
+  warn_of_missing(options.input, missing, "null");
+}
+
+void check_representatives(const PersistenceOptions& options) {
+  if (options.representatives.empty()) return;
+  const std::string ending = ending_of(options.representatives);
+  if (ending != "json" && ending != "ply") {
+    throw UsageError(fmt::format(
+        "--representatives {}: they are JSON or PLY; the name must end in .json or .ply",
+        options.representatives));
+  }
+  require_other_file(options.input, options.representatives);
+  for (const std::string& other : {options.output, options.plot}) {
+    if (!other.empty() && is_same_output(options.representatives, other)) {
+      throw UsageError(
+          "--representatives and another option name the same file; each needs one of "
+          "its own");
+    }
+  }
+  if (!options.representatives_alpha2.empty()) {
+    (void)alpha2_from_text("--representatives-alpha2", options.representatives_alpha2);
+  }
+}
+
 void run(const PersistenceOptions& options) {
   require_other_file(options.input, options.output);
+  check_representatives(options);
   check_plot("--plot", options.plot, options.output, options.input);
   if (!options.minimum_length.empty() &&
       !(alpha2_from_text("--minimum-length", options.minimum_length) >= 0.0)) {
@@ -107,6 +165,9 @@ void run(const PersistenceOptions& options) {
                        "the pairs");
         const auto pairs = chosen_pairs(options, filtration);
         if (!options.plot.empty()) write_plot(options, input, filtration, pairs);
+        if (!options.representatives.empty()) {
+          write_representatives<D>(options, input, filtration, pairs);
+        }
         const auto values = options.indices ? orthoball::PersistenceValues::index
                                             : orthoball::PersistenceValues::alpha2;
         missing = write_output(options.output, format == "json" ? "null" : "",
@@ -151,6 +212,24 @@ void add_output_options(CLI::App& command, PersistenceOptions& options) {
       ->group(group);
 }
 
+void add_representative_options(CLI::App& command, PersistenceOptions& options) {
+  const std::string group = "Representatives";
+  auto* const representatives =
+      command
+          .add_option("--representatives", options.representatives,
+                      "also write what makes each class, as .json or .ply")
+          ->type_name("FILE")
+          ->group(group);
+  command
+      .add_option("--representatives-alpha2", options.representatives_alpha2,
+                  "of the classes that live there, as they are there [length^2]\n"
+                  "(default: all; components at their end, tunnels half way in alpha2,\n"
+                  "voids at their birth)")
+      ->type_name("X")
+      ->needs(representatives)
+      ->group(group);
+}
+
 }  // namespace
 
 void add_persistence_command(CLI::App& app) {
@@ -176,6 +255,7 @@ void add_persistence_command(CLI::App& app) {
                  "births and deaths as indices of the spectrum instead of alpha2")
       ->group(group);
   add_output_options(*command, *options);
+  add_representative_options(*command, *options);
   add_input_options(*command, options->input);
   command->footer(
       "Columns: dimension (0 components, 1 tunnels, in the plane holes, 2 voids); birth and death\n"
@@ -183,6 +263,9 @@ void add_persistence_command(CLI::App& app) {
       "inf in gudhi); birth_simplex and death_simplex, the rows of the simplices that close its\n"
       "first cycle and fill its last. Over Z/2, exact: equal values are one index of the "
       "spectrum.\n"
+      "Representatives: of a component its sites; of a void (in the plane: hole) its cells, what\n"
+      "encloses them, volume and area; of a tunnel a short cycle that belongs to it, and the\n"
+      "triangle that fills it.\n"
       "By dimension, then by birth. At every alpha2 as many classes live as the Betti numbers "
       "say.\n\n"
       "Examples:\n"
@@ -190,6 +273,7 @@ void add_persistence_command(CLI::App& app) {
       "  orthoball persistence points.csv -o pairs.csv --plot diagram.svg\n"
       "  orthoball persistence 1ubq.pdb --homology-dimension 2 --plot bars.svg --plot-kind "
       "barcode\n"
-      "  orthoball persistence points.csv -o diagram.pers");
+      "  orthoball persistence points.csv -o diagram.pers\n"
+      "  orthoball persistence 1grm.pdb --minimum-length 3 --representatives classes.ply");
   command->callback([options] { run(*options); });
 }

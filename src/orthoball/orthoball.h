@@ -57,6 +57,7 @@
 #include "orthoball/queries/pockets.h"
 #include "orthoball/queries/power_cells.h"
 #include "orthoball/queries/regions.h"
+#include "orthoball/queries/representatives.h"
 #include "orthoball/queries/voids.h"
 // output
 #include "orthoball/output/alpha_table.h"
@@ -74,6 +75,7 @@
 #include "orthoball/output/power_cell_files.h"
 #include "orthoball/output/region_mesh.h"
 #include "orthoball/output/region_tables.h"
+#include "orthoball/output/representative_files.h"
 #include "orthoball/output/row_names.h"
 #include "orthoball/output/shape_mesh.h"
 #include "orthoball/output/signature_plot.h"

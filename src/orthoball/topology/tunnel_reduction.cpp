@@ -1,4 +1,14 @@
 // SPDX-License-Identifier: MIT
+//
+// The column of a triangle is its boundary, which is reduced by the columns of earlier triangles
+// until its last edge is the last of no other. Where a triangle is the first coface of its last
+// edge nothing is to be done (apparent pairs), and its column need not be stored: most are of this
+// kind.
+//
+// Edelsbrunner, Letscher, Zomorodian. Topological persistence and simplification. Discrete &
+// Computational Geometry 28 (2002).
+// Bauer. Ripser: efficient computation of Vietoris-Rips persistence barcodes. Journal of Applied
+// and Computational Topology 5 (2021), for apparent pairs.
 #include "orthoball/topology/tunnel_reduction.h"
 
 #include <algorithm>
