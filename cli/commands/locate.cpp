@@ -105,7 +105,7 @@ void run(const LocateOptions& options) {
 void add_locate_command(CLI::App& app) {
   auto options = std::make_shared<LocateOptions>();
   CLI::App* command = app.add_subcommand(
-      "locate", "Which points are in the shape, in which region, and how far from its boundary.");
+      "locate", "Which points are in the shape, in which region, how near its boundary.");
   add_alpha_options(*command, options->alpha, false, "auto");
   add_edit_options(*command, options->edits);
   add_data_options(*command, {options->output, options->format, options->json},

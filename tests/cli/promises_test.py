@@ -200,14 +200,14 @@ class ExitStatuses(InAFolder):
     def test_help_and_version_are_data(self):
         self.assertIn("summary", self.done("--help").stdout)
         self.assertRegex(self.done("--version").stdout, r"\Aorthoball \d+\.\d+\.\d+\n\Z")
-        for command in ["summary", "signatures", "shape", "filter", "measure", "pockets"]:
+        for command in ["summary", "signatures", "shape", "locate", "filter", "measure", "pockets"]:
             text = self.done(command, "--help").stdout
             self.assertIn("--alpha2", text)
             self.assertIn("Examples:", text)
 
     def test_help_has_lines_of_100_characters_at_most(self):
-        for arguments in [[], ["summary"], ["signatures"], ["shape"], ["filter"], ["measure"],
-                          ["pockets"]]:
+        for arguments in [[], ["summary"], ["signatures"], ["shape"], ["locate"], ["filter"],
+                          ["measure"], ["pockets"]]:
             text = self.done(*arguments, "--help").stdout
             self.assertLessEqual(max(map(len, text.splitlines())), 100)
 

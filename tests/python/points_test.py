@@ -113,7 +113,7 @@ def test_a_cloud_of_open3d_is_taken(cube):
 
 @pytest.mark.partner
 def test_clouds_and_meshes_of_the_installed_open3d_are_taken(cube):
-    open3d = pytest.importorskip("open3d")
+    open3d = pytest.importorskip("open3d", exc_type=ImportError)
     cloud = open3d.geometry.PointCloud(open3d.utility.Vector3dVector(cube))
     assert spectrum(cloud) == spectrum(cube)
     box = open3d.geometry.TriangleMesh.create_box()
