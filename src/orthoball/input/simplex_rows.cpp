@@ -10,7 +10,6 @@
 #include "orthoball/counted.h"
 #include "orthoball/error.h"
 #include "orthoball/input/fields.h"
-#include "orthoball/input/source.h"
 
 namespace orthoball {
 namespace {
@@ -30,7 +29,10 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 
 SimplexList read_simplices(const std::string& path, int dimension, std::size_t site_count,
                            bool limited, const MemoryBudget& memory) {
-  const Source source = read_source(path, limited, memory);
+  return read_simplices(read_source(path, limited, memory), dimension, site_count);
+}
+
+SimplexList read_simplices(const Source& source, int dimension, std::size_t site_count) {
   require_text(source);
   SimplexList list;
   Lines lines(source.bytes);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "orthoball/ids.h"
+#include "orthoball/input/source.h"
 #include "orthoball/memory_budget.h"
 
 namespace orthoball {
@@ -28,5 +29,9 @@ struct SimplexList {
 [[nodiscard]] SimplexList read_simplices(const std::string& path, int dimension,
                                          std::size_t site_count, bool limited = true,
                                          const MemoryBudget& memory = {});
+
+/// The same from bytes that are there.
+[[nodiscard]] SimplexList read_simplices(const Source& source, int dimension,
+                                         std::size_t site_count);
 
 }  // namespace orthoball
