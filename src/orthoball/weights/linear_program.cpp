@@ -6,6 +6,7 @@
 #ifdef ORTHOBALL_CLP
 
 #include <Clp_C_Interface.h>
+#include <dlfcn.h>
 
 #include <cmath>
 
@@ -15,17 +16,52 @@ namespace {
 constexpr double kTolerance = 1e-9;
 constexpr int kOptimal = 0, kInfeasible = 1;  // what Clp_status says
 
+// CLP, loaded when it is first needed: it brings OpenBLAS along, which takes memory and starts
+// threads in every program that is linked with it.
+struct Functions {
+  void* library = dlopen(ORTHOBALL_CLP, RTLD_NOW | RTLD_LOCAL);
+  decltype(&Clp_newModel) new_model = find<decltype(&Clp_newModel)>("Clp_newModel");
+  decltype(&Clp_deleteModel) delete_model = find<decltype(&Clp_deleteModel)>("Clp_deleteModel");
+  decltype(&Clp_setLogLevel) set_log_level = find<decltype(&Clp_setLogLevel)>("Clp_setLogLevel");
+  decltype(&Clp_setPrimalTolerance) set_primal_tolerance =
+      find<decltype(&Clp_setPrimalTolerance)>("Clp_setPrimalTolerance");
+  decltype(&Clp_setDualTolerance) set_dual_tolerance =
+      find<decltype(&Clp_setDualTolerance)>("Clp_setDualTolerance");
+  decltype(&Clp_addColumns) add_columns = find<decltype(&Clp_addColumns)>("Clp_addColumns");
+  decltype(&Clp_addRows) add_rows = find<decltype(&Clp_addRows)>("Clp_addRows");
+  decltype(&Clp_dual) dual = find<decltype(&Clp_dual)>("Clp_dual");
+  decltype(&Clp_primal) primal = find<decltype(&Clp_primal)>("Clp_primal");
+  decltype(&Clp_status) status = find<decltype(&Clp_status)>("Clp_status");
+  decltype(&Clp_primalColumnSolution) primal_column_solution =
+      find<decltype(&Clp_primalColumnSolution)>("Clp_primalColumnSolution");
+  decltype(&Clp_numberRows) number_rows = find<decltype(&Clp_numberRows)>("Clp_numberRows");
+  decltype(&Clp_infeasibilityRay) infeasibility_ray =
+      find<decltype(&Clp_infeasibilityRay)>("Clp_infeasibilityRay");
+  decltype(&Clp_freeRay) free_ray = find<decltype(&Clp_freeRay)>("Clp_freeRay");
+
+ private:
+  template <class Function>
+  [[nodiscard]] Function find(const char* name) const {
+    return library == nullptr ? nullptr : reinterpret_cast<Function>(dlsym(library, name));
+  }
+};
+
+const Functions& solver() {
+  static const Functions functions;
+  return functions;
+}
+
 }  // namespace
 
 struct LinearProgram::Model {
-  Model() : clp(Clp_newModel()) {
-    Clp_setLogLevel(clp, 0);
-    Clp_setPrimalTolerance(clp, kTolerance);
-    Clp_setDualTolerance(clp, kTolerance);
+  Model() : clp(solver().new_model()) {
+    solver().set_log_level(clp, 0);
+    solver().set_primal_tolerance(clp, kTolerance);
+    solver().set_dual_tolerance(clp, kTolerance);
   }
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
-  ~Model() { Clp_deleteModel(clp); }
+  ~Model() { solver().delete_model(clp); }
 
   // Hands over what was added since the last time.
   void hand_over() {
@@ -33,10 +69,10 @@ struct LinearProgram::Model {
     const std::vector<double> no_limit(costs.size(), kInfinity);
     const int no_row = 0;
     const double no_number = 0.0;
-    Clp_addColumns(clp, static_cast<int>(costs.size()), least_values.data(), no_limit.data(),
-                   costs.data(), no_terms.data(), &no_row, &no_number);
-    Clp_addRows(clp, static_cast<int>(least_sums.size()), least_sums.data(), most_sums.data(),
-                starts.data(), variables.data(), coefficients.data());
+    solver().add_columns(clp, static_cast<int>(costs.size()), least_values.data(), no_limit.data(),
+                         costs.data(), no_terms.data(), &no_row, &no_number);
+    solver().add_rows(clp, static_cast<int>(least_sums.size()), least_sums.data(), most_sums.data(),
+                      starts.data(), variables.data(), coefficients.data());
     for (auto* const numbers : {&least_values, &costs, &least_sums, &most_sums, &coefficients}) {
       numbers->clear();
     }
@@ -52,9 +88,15 @@ struct LinearProgram::Model {
   std::vector<CoinBigIndex> starts{0};
 };
 
-bool has_linear_solver() { return true; }
+bool has_linear_solver() { return solver().library != nullptr; }
 
-LinearProgram::LinearProgram() : model_(std::make_unique<Model>()) {}
+LinearProgram::LinearProgram() {
+  if (!has_linear_solver()) {
+    throw LimitError("the solver of linear programs, COIN-OR CLP (" ORTHOBALL_CLP
+                     "), cannot be loaded; weights that enforce simplices need it");
+  }
+  model_ = std::make_unique<Model>();
+}
 
 std::size_t LinearProgram::add_variable(double least, double cost) {
   model_->least_values.push_back(least);
@@ -75,11 +117,11 @@ std::size_t LinearProgram::add_condition(double least, double most, std::span<co
 
 bool LinearProgram::solve() {
   model_->hand_over();
-  Clp_dual(model_->clp, 0);
-  int status = Clp_status(model_->clp);
+  solver().dual(model_->clp, 0);
+  int status = solver().status(model_->clp);
   if (status != kOptimal) {  // once more by the other method, for what rounding may have done
-    Clp_primal(model_->clp, 0);
-    status = Clp_status(model_->clp);
+    solver().primal(model_->clp, 0);
+    status = solver().status(model_->clp);
   }
   if (status == kOptimal) return true;
   if (status == kInfeasible) return false;
@@ -87,17 +129,17 @@ bool LinearProgram::solve() {
 }
 
 double LinearProgram::value(std::size_t variable) const {
-  return Clp_primalColumnSolution(model_->clp)[variable];
+  return solver().primal_column_solution(model_->clp)[variable];
 }
 
 std::vector<std::size_t> LinearProgram::contradiction() const {
   std::vector<std::size_t> conditions;
-  const auto count = static_cast<std::size_t>(Clp_numberRows(model_->clp));
-  double* const ray = Clp_infeasibilityRay(model_->clp);
+  const auto count = static_cast<std::size_t>(solver().number_rows(model_->clp));
+  double* const ray = solver().infeasibility_ray(model_->clp);
   for (std::size_t i = 0; i < count; ++i) {
     if (ray == nullptr || std::abs(ray[i]) > kTolerance) conditions.push_back(i);
   }
-  if (ray != nullptr) Clp_freeRay(model_->clp, ray);
+  if (ray != nullptr) solver().free_ray(model_->clp, ray);
   return conditions;
 }
 
