@@ -166,7 +166,7 @@ TEST(Representatives, OfComponentsAreThoseThatTheEdgesJoin) {
     const std::uint32_t index = of.usual_index(k, pair);
     const Representative one = of.at(k, pair, index);
     const SiteId began = filtration.triangulation().sites().row(pair.birth.row());
-    const auto parts = regions(filtration, index, JoinedBy::vertices);
+    const auto parts = regions(AlphaComplex<D>(filtration, index), JoinedBy::vertices);
     const auto found = std::find_if(parts.begin(), parts.end(), [&](const Region& region) {
       return std::binary_search(region.rows.begin(), region.rows.end(), began);
     });
