@@ -16,6 +16,7 @@
 #include <memory>
 #include <queue>
 #include <utility>
+#include <vector>
 
 namespace orthoball {
 namespace {

@@ -4,19 +4,18 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "orthoball/measures/lens.h"
 #include "orthoball/queries/inscribed_ball.h"
 
 namespace orthoball {
 
-/// A cell of a void: the balls at its corners, of radius 0 where they are not in the complex, and
-/// its orthocentre, which need not be finite.
+/// A cell of a void.
 template <int D>
 struct VoidCell {
+  /// The balls at its corners, of radius 0 where they are not in the complex.
   std::array<Sphere<D>, std::size_t{D} + 1> corners;
-  std::array<double, std::size_t{D}> orthocentre{};
+  std::array<double, std::size_t{D}> orthocentre{};  ///< need not be finite
 };
 
 /// The largest ball with its centre in a void that is in none of the balls around it; radius
