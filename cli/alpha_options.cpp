@@ -75,7 +75,8 @@ bool check_name(const std::string& text) {
 // @throws UsageError where the input has none, with the scale of its alphas.
 ChosenAlpha named_alpha(const Loaded& input, const std::string& name) {
   return with_filtration(input, [&]<int D>(const orthoball::Filtration<D>& filtration) {
-    const auto candidates = orthoball::alpha_candidates<D>(filtration, meaning_of_weights(input));
+    const auto candidates =
+        orthoball::alpha_candidates<D>(filtration, meaning_of_weights(input), input.threads);
     for (const auto& [taken, at, from, to, stability] : candidates) {
       if (taken.name != name || !taken.index) continue;
       return ChosenAlpha{taken.alpha2, taken.alpha, *taken.index, taken.name, taken.reason};

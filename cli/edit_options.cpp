@@ -84,6 +84,10 @@ void add_json(nlohmann::ordered_json& json, const orthoball::EditedShape<D>& sha
               const EditOptions& options) {
   json["region"] = nullptr;
   if (options.region > 0) json["region"] = options.region;
+  json["regions"] = nullptr;
+  if (options.region > 0 || !options.region_threshold.empty()) {
+    json["regions"] = shape.region_count - shape.regions_dropped;
+  }
   json["holes_filled"] = shape.holes_filled;
   json["volume_filled"] = shape.volume_filled;
   json["regions_dropped"] = shape.regions_dropped;

@@ -31,7 +31,8 @@ template <int D>
 [[nodiscard]] std::string text_of(const orthoball::EditedShape<D>& shape,
                                   const EditOptions& options);
 
-/// The keys `regions`, `regions_dropped`, `volume_dropped`, `holes_filled`, `volume_filled`.
+/// The keys `region`, `regions` (how many are left), `regions_dropped`, `volume_dropped`,
+/// `holes_filled`, `volume_filled`.
 template <int D>
 void add_json(nlohmann::ordered_json& json, const orthoball::EditedShape<D>& shape,
               const EditOptions& options);

@@ -43,7 +43,7 @@ nb::tuple surface(orthoball::PowerCell<D> cell) {
 template <int D>
 nb::dict listed(std::vector<orthoball::PowerCell<D>> cells, bool surfaces) {
   std::vector<orthoball::SiteId> rows;
-  std::vector<double> volumes, areas, exposed;
+  std::vector<double> volumes, areas, exposed_areas;
   std::vector<std::uint32_t> facet_counts;
   std::vector<std::uint8_t> are_clipped;
   nb::list of_surfaces;
@@ -51,7 +51,7 @@ nb::dict listed(std::vector<orthoball::PowerCell<D>> cells, bool surfaces) {
     rows.push_back(cell.row);
     volumes.push_back(cell.volume);
     areas.push_back(cell.area);
-    exposed.push_back(cell.exposed);
+    exposed_areas.push_back(cell.exposed_area);
     facet_counts.push_back(cell.facet_count);
     are_clipped.push_back(cell.is_clipped ? 1 : 0);
     if (surfaces) of_surfaces.append(surface(std::move(cell)));
@@ -60,7 +60,7 @@ nb::dict listed(std::vector<orthoball::PowerCell<D>> cells, bool surfaces) {
   result["rows"] = owned<std::uint32_t>(std::move(rows));
   result["volumes"] = owned<double>(std::move(volumes));
   result["areas"] = owned<double>(std::move(areas));
-  result["exposed"] = owned<double>(std::move(exposed));
+  result["exposed_area"] = owned<double>(std::move(exposed_areas));
   result["facet_counts"] = owned<std::uint32_t>(std::move(facet_counts));
   result["are_clipped"] = owned<bool>(std::move(are_clipped));
   result["surfaces"] = nb::tuple(of_surfaces);

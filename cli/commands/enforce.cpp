@@ -130,7 +130,8 @@ void run(const EnforceOptions& options) {
   Progress progress(options.input.progress, options.input.quiet,
                     {Stage::reading, Stage::triangulation, Stage::filtration});
   const Loaded input = load(options.input, progress);
-  const orthoball::WeightedPoints& points = input.shapes.points();
+  // What will be read back, so that what is verified is what is written.
+  const orthoball::WeightedPoints points = orthoball::as_written(input.shapes.points());
   const orthoball::SimplexList list =
       orthoball::read_simplices(options.simplices, points.dimension(), points.size(),
                                 !options.input.no_limit, memory_of(options.input));
@@ -184,7 +185,7 @@ void add_enforce_command(CLI::App& app) {
       "alpha,\n"
       "alone or as the face of a larger one: this is verified exactly. The total change of weights "
       "is\n"
-      "the least, most stay as they are, and coordinates do. Points whose weight falls may become\n"
+      "about the least that does it, and coordinates stay. Points whose weight falls may become\n"
       "hidden, and those inside a given simplex must.\n\n"
       "Simplices that no weights hold together, such as edges that cross, are named (status 1), "
       "unless\n"

@@ -69,6 +69,10 @@ void run(const LocateOptions& options) {
   if (options.input.path == "-" && options.query == "-") {
     throw UsageError("locate: INPUT and QUERY cannot both be standard input");
   }
+  if (options.query != "-" && is_same_output(options.query, options.output)) {
+    throw UsageError(options.output +
+                     ": holds the query, which the output would replace; name another file");
+  }
   check(options.alpha, false);
   const orthoball::ShapeEdits wanted = edits(options.edits);
   const bool is_json = options.json || (options.format.empty() ? ending_of(options.output) == "json"

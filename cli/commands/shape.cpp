@@ -200,8 +200,15 @@ void write_shape(const ShapeOptions& options, const Loaded& input,
   std::optional<Solid<D>> solid;
   if (options.manifold) {
     solid = {manifold_solid(shape.complex), dropped_simplices(shape.complex)};
-    shape.complex = complex_of(solid->manifold, shape.complex);
   }
+  MissingNumbers missing;
+  if (!options.changes.empty()) {
+    write_table(options.changes, missing,
+                [&](orthoball::ByteSink& sink, orthoball::TableFormat table) {
+                  write_solid_changes<D>(sink, table, shape.complex, solid->manifold);
+                });
+  }
+  if (solid) shape.complex = complex_of(solid->manifold, shape.complex);
   const auto& points = input.shapes.points();
   auto mesh = shape_mesh(shape.complex, points);
   const Written<D> written{alpha, std::move(shape), std::move(solid), std::move(mesh)};
@@ -215,13 +222,6 @@ void write_shape(const ShapeOptions& options, const Loaded& input,
       if (format == "svg") write_shape_svg(sink, written.shape.complex, points, planar);
     }
   });
-  MissingNumbers missing;
-  if (!options.changes.empty()) {
-    write_table(
-        options.changes, missing, [&](orthoball::ByteSink& sink, orthoball::TableFormat table) {
-          write_solid_changes<D>(sink, table, filtration, alpha.index, written.solid->manifold);
-        });
-  }
   options.json ? write_report(options, written, format) : say_report(options, written);
   warn(options, input, alpha, written.mesh, format);
 }

@@ -132,6 +132,7 @@ void run(const ViewOptions& options) {
       [&](const auto& filtration) {
         require_memory(options.input,
                        orthoball::signature_memory(filtration.size()) +
+                           orthoball::persistence_memory(filtration.size(), false) +
                            std::uint64_t{48} * filtration.spectrum_size(),
                        "the page");
       },

@@ -190,7 +190,7 @@ class PowerCells(NamedTuple):
     """(k,) length^D."""
     areas: NDArray[np.float64]
     """(k,) of the whole surface, length^(D-1)."""
-    exposed: NDArray[np.float64]
+    exposed_area: NDArray[np.float64]
     """(k,) of that, what is on the box or on the sphere."""
     facet_counts: NDArray[np.uint32]
     """(k,) neighbours with a facet in common."""

@@ -120,6 +120,14 @@ class Manifold(InAFolder):
         self.assertGreater(len(changed), 0)
         self.assertGreater(sum(dropped.values()), 0)
 
+    def test_lists_nothing_that_edits_had_left_out(self):
+        table = self.folder / "changes.csv"
+        for edits in (["--regularized"], ["--region", "1"]):
+            report, _ = self.solid(TORI, "--index", 2700, *edits, "--changes", table)
+            rows = list(csv.DictReader(table.read_text().splitlines()))
+            dropped = [row for row in rows if row["change"] == "dropped"]
+            self.assertEqual(len(dropped), sum(report["dropped"]), edits)
+
     def test_says_that_there_is_no_solid(self):
         result = self.done("shape", C60, "--index", 1, "--manifold", "-o", self.folder / "a.ply")
         self.assertIn("no solid: the shape has no tetrahedra at this alpha", result.stderr)

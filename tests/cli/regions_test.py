@@ -200,5 +200,13 @@ class Locate(WithPoints):
         self.assertIn("missing.csv", self.refused(1, "locate", EIGHT, "missing.csv"))
 
 
+class Query(InAFolder):
+    def test_is_not_written_over(self):
+        query = self.file("query.csv", "0,0,0\n")
+        said = self.refused(2, "locate", SAMPLES / "linked_tori.csv", query, "-o", query)
+        self.assertIn("holds the query", said)
+        self.assertEqual(query.read_text(), "0,0,0\n")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -4,6 +4,7 @@
 
 import csv
 import json
+import struct
 import unittest
 
 from program import InAFolder, SAMPLES
@@ -124,6 +125,26 @@ class Enforced(InAFolder):
         self.assertEqual(said, f"orthoball: {wanted}:3: no weights hold these simplices together: "
                                "line 3 (0 2), line 4 (1 3); leave out one of them, or --add-sites\n")
         self.assertFalse((self.folder / "no.csv").exists())
+
+    def test_a_triangle_excludes_the_edge_across_it(self):
+        square = self.file("square.csv", "x,y\n0,0\n4,0\n4,3\n0,3\n")
+        both = self.file("both.txt", "0 1 2\n1 3\n")
+        said = self.refused(1, "enforce", square, both)
+        self.assertIn("line 1 (0 1 2), line 2 (1 3)", said)
+
+    def test_doubles_are_held_as_they_will_be_read(self):
+        points = self.folder / "points.npy"
+        header = b"{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2), }"
+        header += b" " * (128 - 10 - len(header) - 1) + b"\n"
+        points.write_bytes(b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header +
+                           struct.pack("<4d", 0.0, 0.0, 0.009, 0.0))
+        output = self.folder / "out.csv"
+        alpha2 = "2.0249999999999998e-05"
+        self.done("enforce", points, self.file("edge.txt", "0 1\n"), "--alpha2", alpha2, "-o",
+                  output)
+        option = ["--weight-column", "weight"] if "weight" in output.read_text() else []
+        lines = self.done("filter", output, *option, "--alpha2", alpha2).stdout
+        self.assertIn("0 1", lines)
 
     def test_sites_are_added_where_simplices_meet(self):
         said, table = self.enforce(PLANE, "0 2\n3 1\n5 2\n", "--alpha2", "3", "--add-sites")

@@ -14,7 +14,7 @@ def test_power_cells_fill_their_box(cloud):
     cells = shapes.power_cells([[0, 0, 0], [1, 1, 1]], surfaces=True)
     assert sorted([*cells.rows, *shapes.hidden]) == list(range(len(cloud)))
     assert cells.volumes.sum() == pytest.approx(1)
-    assert cells.exposed.sum() == pytest.approx(6)
+    assert cells.exposed_area.sum() == pytest.approx(6)
     assert cells.are_clipped.any() and not cells.are_clipped.all()
     assert len(cells.surfaces) == len(cells.rows)
     for row, volume, count, (corners, facets) in zip(
@@ -50,7 +50,7 @@ def test_cells_in_balls_are_the_parts_of_the_union(cloud):
     balls = AlphaShapes(cloud, radii=0.1).balls()
     cells = balls.power_cells(surfaces=True, tolerance=0.01)
     assert cells.volumes.sum() == pytest.approx(balls.volume)
-    assert cells.exposed.sum() == pytest.approx(balls.area)
+    assert cells.exposed_area.sum() == pytest.approx(balls.area)
     assert np.allclose(cells.volumes, balls.volumes[cells.rows])
     assert len(cells.surfaces) == len(cells.rows)
 

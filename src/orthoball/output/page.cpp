@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 
+#include "orthoball/error.h"
 #include "orthoball/output/encoded_output.h"
 
 namespace orthoball {
@@ -35,6 +36,10 @@ void write_page(ByteSink& sink, std::string_view page, const Filtration<D>& filt
                 Threads threads) {
   const auto write_until = [&](std::string_view place) {
     const std::size_t end = page.find(place);
+    if (end == std::string_view::npos) {
+      throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
+                       "the page has no place " + std::string(place) + "; the viewer's has");
+    }
     sink.text(page.substr(0, end));
     page.remove_prefix(end + place.size());
   };

@@ -2,8 +2,13 @@
 #include "orthoball/output/points_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <span>
 #include <string>
+#include <utility>
+
+#include "orthoball/input/decimal.h"
 
 namespace orthoball {
 namespace {
@@ -63,6 +68,25 @@ void write_points_csv(ByteSink& sink, const WeightedPoints& points) {
     sink.text("\n");
   }
   sink.flush();
+}
+
+WeightedPoints as_written(const WeightedPoints& points) {
+  if (points.decimals()) return points;
+  const auto axes = static_cast<std::size_t>(points.dimension());
+  const bool has_weights = points.weight_kind() != WeightKind::none;
+  DecimalRows rows(points.dimension(), points.weight_kind());
+  rows.reserve(points.size());
+  const auto number = [](double x) { return parse_decimal(shortest_text(x + 0.0)).number; };
+  std::array<DecimalNumber, 3> coordinates;
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      coordinates[axis] = number(points.coordinates()[axes * row + axis]);
+    }
+    rows.add(std::span(coordinates).first(axes),
+             has_weights ? number(points.weights()[row]) : DecimalNumber{});
+    if (!rows.is_fixed()) return points;
+  }
+  return std::move(rows).points();
 }
 
 }  // namespace orthoball

@@ -13,4 +13,8 @@ namespace orthoball {
 /// --weight-column weight.
 void write_points_csv(ByteSink& sink, const WeightedPoints& points);
 
+/// The points that are read from such a table: where their shortest texts are decimals that fixed
+/// point can hold, these instead of the doubles nearest to them.
+[[nodiscard]] WeightedPoints as_written(const WeightedPoints& points);
+
 }  // namespace orthoball

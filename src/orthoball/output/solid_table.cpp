@@ -9,8 +9,9 @@
 namespace orthoball {
 
 template <int D>
-void write_solid_changes(ByteSink& sink, TableFormat format, const Filtration<D>& filtration,
-                         std::uint32_t index, const ManifoldSolid<D>& solid) {
+void write_solid_changes(ByteSink& sink, TableFormat format, const AlphaComplex<D>& shape,
+                         const ManifoldSolid<D>& solid) {
+  const Filtration<D>& filtration = shape.filtration();
   std::vector<std::string> columns{"change", "cells", "volume"};
   for (std::size_t axis = 0; axis < D; ++axis) columns.emplace_back(1, "xyz"[axis]);
   columns.emplace_back("rows");
@@ -24,7 +25,7 @@ void write_solid_changes(ByteSink& sink, TableFormat format, const Filtration<D>
     table.integers(change.rows, row_of);
   }
   for (std::uint32_t simplex = 0; simplex < filtration.table().first(D); ++simplex) {
-    if (filtration.role(SimplexId(simplex), index) != Role::singular) continue;
+    if (shape.role(SimplexId(simplex)) != Role::singular) continue;
     table.text("dropped");
     for (std::size_t column = 0; column < D + 2; ++column) table.none();
     const auto rows = filtration.rows(SimplexId(simplex));
@@ -33,9 +34,9 @@ void write_solid_changes(ByteSink& sink, TableFormat format, const Filtration<D>
   table.finish();
 }
 
-template void write_solid_changes<2>(ByteSink&, TableFormat, const Filtration<2>&, std::uint32_t,
+template void write_solid_changes<2>(ByteSink&, TableFormat, const AlphaComplex<2>&,
                                      const ManifoldSolid<2>&);
-template void write_solid_changes<3>(ByteSink&, TableFormat, const Filtration<3>&, std::uint32_t,
+template void write_solid_changes<3>(ByteSink&, TableFormat, const AlphaComplex<3>&,
                                      const ManifoldSolid<3>&);
 
 }  // namespace orthoball

@@ -56,7 +56,7 @@ class Course {
   // By how much the largest ball grows from one index to another.
   [[nodiscard]] double growth(std::uint32_t from, std::uint32_t to) const {
     if (to == filtration_.never()) return kEndless;
-    return radius(from) > 0.0 ? radius(to) / radius(from) : 1.0;
+    return radius(from) > 0.0 && std::isfinite(radius(to)) ? radius(to) / radius(from) : 1.0;
   }
   // The last index before `to` at which it has grown no more than half of that, in ratios.
   [[nodiscard]] std::uint32_t middle(std::uint32_t from, std::uint32_t to) const {
@@ -271,7 +271,9 @@ std::vector<AlphaSpread> alpha_spreads(const WeightedPoints& points,
   std::vector<std::vector<double>> alphas(candidates.size());
   for (std::uint32_t i = 0; i < options.count; ++i) {
     const Filtration<D> filtration(
-        regular_triangulation<D>(subsample(points, options.share, options.seed + i)), threads);
+        regular_triangulation<D>(
+            subsample(points, options.share, options.seed * 0x9E3779B97F4A7C15U + i)),
+        threads);
     const auto found = alpha_candidates(filtration, weights, threads);
     for (std::size_t c = 0; c < candidates.size(); ++c) {
       const auto same = std::find_if(found.begin(), found.end(), [&](const auto& other) {

@@ -34,18 +34,21 @@ std::optional<std::uint32_t> first_manifold(const Filtration<D>& filtration, std
   };
   for (std::uint32_t vertex = 0; vertex < is_offending.size(); ++vertex) look_at(vertex);
 
+  std::vector<std::uint32_t> changed;  // vertices of cells that entered since it was looked at them
   std::size_t next = 0;
   for (std::uint32_t index = from; index <= filtration.spectrum_size(); ++index) {
-    const std::size_t first = next;
     for (; next < later.size() && later[next] >> 32U <= index; ++next) {
-      solid[static_cast<std::uint32_t>(later[next])] = true;
+      const auto cell = static_cast<std::uint32_t>(later[next]);
+      solid[cell] = true;
+      const auto& corners = records[cell].corners;
+      changed.insert(changed.end(), corners.begin(), corners.end());
     }
-    for (std::size_t i = first; i < next; ++i) {
-      for (const std::uint32_t vertex : records[static_cast<std::uint32_t>(later[i])].corners) {
-        look_at(vertex);
-      }
-    }
-    if (offending == 0 && may_be[index]) return index;
+    if (!may_be[index]) continue;
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    for (const std::uint32_t vertex : changed) look_at(vertex);
+    changed.clear();
+    if (offending == 0) return index;
   }
   return {};
 }

@@ -138,7 +138,7 @@ class Measures {
   explicit Measures(const AlphaComplex<D>& complex)
       : complex_(complex),
         filtration_(complex.filtration()),
-        balls_(filtration_, complex.index(), 0.0) {}
+        balls_(filtration_, complex.index(), -std::numeric_limits<double>::infinity()) {}
 
   [[nodiscard]] Region of_region(const Simplices& simplices) const {
     Region region;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -32,7 +33,10 @@ double size_of(const std::vector<Place>& corners) {
 
 template <int D>
 Representatives<D>::Representatives(const Filtration<D>& filtration, const PersistencePairs<D>& all)
-    : filtration_(filtration), all_(all), balls_(filtration, 0, 0.0), ways_(filtration) {}
+    : filtration_(filtration),
+      all_(all),
+      balls_(filtration, 0, -std::numeric_limits<double>::infinity()),
+      ways_(filtration) {}
 
 template <int D>
 std::uint32_t Representatives<D>::usual_index(int dimension, const PersistencePair& pair) const {

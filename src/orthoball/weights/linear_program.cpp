@@ -19,10 +19,13 @@ constexpr int kOptimal = 0, kInfeasible = 1;  // what Clp_status says
 // CLP, loaded when it is first needed: it brings OpenBLAS along, which takes memory and starts
 // threads in every program that is linked with it.
 struct Functions {
+  bool lacks_one = false;
   void* library = dlopen(ORTHOBALL_CLP, RTLD_NOW | RTLD_LOCAL);
   decltype(&Clp_newModel) new_model = find<decltype(&Clp_newModel)>("Clp_newModel");
   decltype(&Clp_deleteModel) delete_model = find<decltype(&Clp_deleteModel)>("Clp_deleteModel");
   decltype(&Clp_setLogLevel) set_log_level = find<decltype(&Clp_setLogLevel)>("Clp_setLogLevel");
+  decltype(&Clp_setMaximumIterations) set_maximum_iterations =
+      find<decltype(&Clp_setMaximumIterations)>("Clp_setMaximumIterations");
   decltype(&Clp_setPrimalTolerance) set_primal_tolerance =
       find<decltype(&Clp_setPrimalTolerance)>("Clp_setPrimalTolerance");
   decltype(&Clp_setDualTolerance) set_dual_tolerance =
@@ -39,10 +42,15 @@ struct Functions {
       find<decltype(&Clp_infeasibilityRay)>("Clp_infeasibilityRay");
   decltype(&Clp_freeRay) free_ray = find<decltype(&Clp_freeRay)>("Clp_freeRay");
 
+  [[nodiscard]] bool are_there() const { return library != nullptr && !lacks_one; }
+
  private:
   template <class Function>
-  [[nodiscard]] Function find(const char* name) const {
-    return library == nullptr ? nullptr : reinterpret_cast<Function>(dlsym(library, name));
+  [[nodiscard]] Function find(const char* name) {
+    auto* const function =
+        library == nullptr ? nullptr : reinterpret_cast<Function>(dlsym(library, name));
+    lacks_one |= function == nullptr;
+    return function;
   }
 };
 
@@ -54,41 +62,60 @@ const Functions& solver() {
 }  // namespace
 
 struct LinearProgram::Model {
-  Model() : clp(solver().new_model()) {
-    solver().set_log_level(clp, 0);
-    solver().set_primal_tolerance(clp, kTolerance);
-    solver().set_dual_tolerance(clp, kTolerance);
-  }
+  Model() { begin(); }
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
   ~Model() { solver().delete_model(clp); }
 
   // Hands over what was added since the last time.
   void hand_over() {
-    const std::vector<CoinBigIndex> no_terms(costs.size() + 1);
-    const std::vector<double> no_limit(costs.size(), kInfinity);
+    const std::size_t variables_more = costs.size() - variables_handed;
+    const std::vector<CoinBigIndex> no_terms(variables_more + 1);
+    const std::vector<double> no_limit(variables_more, kInfinity);
     const int no_row = 0;
     const double no_number = 0.0;
-    solver().add_columns(clp, static_cast<int>(costs.size()), least_values.data(), no_limit.data(),
-                         costs.data(), no_terms.data(), &no_row, &no_number);
-    solver().add_rows(clp, static_cast<int>(least_sums.size()), least_sums.data(), most_sums.data(),
-                      starts.data(), variables.data(), coefficients.data());
-    for (auto* const numbers : {&least_values, &costs, &least_sums, &most_sums, &coefficients}) {
-      numbers->clear();
-    }
-    variables.clear();
-    starts.resize(1);
+    solver().add_columns(clp, static_cast<int>(variables_more), &least_values[variables_handed],
+                         no_limit.data(), &costs[variables_handed], no_terms.data(), &no_row,
+                         &no_number);
+    const std::size_t first = conditions_handed;
+    std::vector<CoinBigIndex> begins(starts.begin() + static_cast<std::ptrdiff_t>(first),
+                                     starts.end());
+    for (CoinBigIndex& begin : begins) begin -= starts[first];
+    const auto term = static_cast<std::size_t>(starts[first]);
+    solver().add_rows(clp, static_cast<int>(least_sums.size() - first), &least_sums[first],
+                      &most_sums[first], begins.data(), &variables[term], &coefficients[term]);
+    variables_handed = costs.size();
+    conditions_handed = least_sums.size();
+    // More than any program needs that does not go round in circles.
+    solver().set_maximum_iterations(
+        clp, static_cast<int>(50 * (costs.size() + least_sums.size()) + 10'000));
+  }
+  // Forgets the last solution, which may be where rounding has led astray.
+  void begin_anew() {
+    solver().delete_model(clp);
+    begin();
+    hand_over();
   }
 
-  Clp_Simplex* clp;
-  std::size_t variable_count = 0, condition_count = 0;
-  // Not yet handed over: variables, then conditions with their terms.
-  std::vector<double> least_values, costs, least_sums, most_sums, coefficients;
-  std::vector<int> variables;
-  std::vector<CoinBigIndex> starts{0};
+  Clp_Simplex* clp = nullptr;
+  std::vector<double> least_values, costs;    // [variable]
+  std::vector<double> least_sums, most_sums;  // [condition]
+  std::vector<CoinBigIndex> starts{0};        // [condition]: its first term, and the end
+  std::vector<int> variables;                 // [term]
+  std::vector<double> coefficients;           // [term]
+  std::size_t variables_handed = 0, conditions_handed = 0;
+
+ private:
+  void begin() {
+    clp = solver().new_model();
+    variables_handed = conditions_handed = 0;
+    solver().set_log_level(clp, 0);
+    solver().set_primal_tolerance(clp, kTolerance);
+    solver().set_dual_tolerance(clp, kTolerance);
+  }
 };
 
-bool has_linear_solver() { return solver().library != nullptr; }
+bool has_linear_solver() { return solver().are_there(); }
 
 LinearProgram::LinearProgram() {
   if (!has_linear_solver()) {
@@ -101,7 +128,7 @@ LinearProgram::LinearProgram() {
 std::size_t LinearProgram::add_variable(double least, double cost) {
   model_->least_values.push_back(least);
   model_->costs.push_back(cost);
-  return model_->variable_count++;
+  return model_->costs.size() - 1;
 }
 
 std::size_t LinearProgram::add_condition(double least, double most, std::span<const Term> terms) {
@@ -112,19 +139,26 @@ std::size_t LinearProgram::add_condition(double least, double most, std::span<co
   model_->starts.push_back(static_cast<CoinBigIndex>(model_->variables.size()));
   model_->least_sums.push_back(least);
   model_->most_sums.push_back(most);
-  return model_->condition_count++;
+  return model_->least_sums.size() - 1;
 }
 
 bool LinearProgram::solve() {
+  const auto status_of = [&](const auto& method) {
+    method(model_->clp, 0);
+    return solver().status(model_->clp);
+  };
   model_->hand_over();
-  solver().dual(model_->clp, 0);
-  int status = solver().status(model_->clp);
-  if (status != kOptimal) {  // once more by the other method, for what rounding may have done
-    solver().primal(model_->clp, 0);
-    status = solver().status(model_->clp);
-  }
+  const int status = status_of(solver().dual);
   if (status == kOptimal) return true;
-  if (status == kInfeasible) return false;
+  // Once more by the other method and from the beginning, for what rounding may have done.
+  model_->begin_anew();
+  const int again = status_of(solver().primal);
+  if (again == kOptimal) return true;
+  if (again == kInfeasible) return false;
+  if (status == kInfeasible) {
+    model_->begin_anew();
+    if (status_of(solver().dual) == kInfeasible) return false;
+  }
   throw LimitError("the linear program for the weights could not be solved");
 }
 
