@@ -203,7 +203,7 @@ class Locate(WithPoints):
 class Query(InAFolder):
     def test_is_not_written_over(self):
         query = self.file("query.csv", "0,0,0\n")
-        said = self.refused(2, "locate", SAMPLES / "linked_tori.csv", query, "-o", query)
+        said = self.refused(2, "locate", C60, query, "-o", query)
         self.assertIn("holds the query", said)
         self.assertEqual(query.read_text(), "0,0,0\n")
 
