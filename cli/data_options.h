@@ -21,3 +21,9 @@ struct DataHelp {
 
 /// Declares -o, --format and --json on a command, in the group Output.
 void add_data_options(CLI::App& command, const DataOptions& options, const DataHelp& help);
+
+/// Declares --plot in the group Output.
+/// @param what  is drawn.
+CLI::Option* add_plot_option(CLI::App& command, std::string& plot, const std::string& what);
+/// Declares --plot-axis, which needs that option, in the same group.
+void add_plot_axis_option(CLI::App& command, std::string& axis, CLI::Option* plot);

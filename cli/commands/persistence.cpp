@@ -192,24 +192,14 @@ void add_output_options(CLI::App& command, PersistenceOptions& options) {
                     "csv, json or gudhi (lines \"2 dimension birth death\")\n"
                     "(default: by the name of -o, .pers for gudhi, else csv)",
                     {"csv", "json", "gudhi"}});
-  auto* const plot =
-      command.add_option("--plot", options.plot, "also draw them as SVG into this file")
-          ->type_name("FILE")
-          ->group(group);
+  auto* const plot = add_plot_option(command, options.plot, "them");
   command.add_option("--plot-kind", options.plot_kind, "diagram or barcode")
       ->type_name("NAME")
       ->check(CLI::IsMember({"diagram", "barcode"}).description(""))
       ->capture_default_str()
       ->needs(plot)
       ->group(group);
-  command
-      .add_option("--plot-axis", options.plot_axis,
-                  "what runs along the plot: alpha, alpha2 or index")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"alpha", "alpha2", "index"}).description(""))
-      ->capture_default_str()
-      ->needs(plot)
-      ->group(group);
+  add_plot_axis_option(command, options.plot_axis, plot);
 }
 
 void add_representative_options(CLI::App& command, PersistenceOptions& options) {

@@ -210,18 +210,8 @@ void add_output_options(CLI::App& command, SignaturesOptions& options) {
                     "csv, json or npz (NumPy)\n"
                     "(default: by the name of -o, else csv)",
                     {"csv", "json", "npz"}});
-  auto* const plot =
-      command.add_option("--plot", options.plot, "also draw all signatures as SVG into this file")
-          ->type_name("FILE")
-          ->group(group);
-  command
-      .add_option("--plot-axis", options.plot_axis,
-                  "what runs along the plot: alpha, alpha2 or index")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"alpha", "alpha2", "index"}).description(""))
-      ->capture_default_str()
-      ->needs(plot)
-      ->group(group);
+  auto* const plot = add_plot_option(command, options.plot, "all signatures");
+  add_plot_axis_option(command, options.plot_axis, plot);
   command
       .add_option("--plot-range", options.plot_range,
                   "ends of that axis (default: every change of the topology, but at most 15\n"

@@ -7,6 +7,7 @@
 
 #include "orthoball/output/alpha_text.h"
 #include "orthoball/output/npz.h"
+#include "orthoball/output/signature_columns.h"
 
 namespace orthoball {
 namespace {
@@ -78,14 +79,7 @@ void write_ball_signatures_json(ByteSink& sink, const std::vector<BallSignatureR
 template <int D>
 void write_ball_signatures_npz(ByteSink& sink, const std::vector<BallSignatureRow<D>>& rows) {
   NpzWriter archive(sink);
-  archive.add_column<std::uint32_t>("index", rows,
-                                    [](const auto& row) { return row.signature.index; });
-  archive.add_column<double>("alpha2", rows, [](const auto& row) { return row.signature.alpha2; });
-  archive.add_column<double>("alpha", rows, [](const auto& row) { return row.alpha; });
-  archive.add_columns("betti", D, rows,
-                      [](const auto& row) { return std::span(row.signature.betti); });
-  archive.add_column<std::int64_t>("euler", rows,
-                                   [](const auto& row) { return row.signature.euler; });
+  add_first_columns<D>(archive, rows);
   archive.add_column<double>("volume", rows, [](const auto& row) { return row.signature.volume; });
   archive.add_column<double>("area", rows, [](const auto& row) { return row.signature.area; });
   archive.finish();

@@ -6,6 +6,7 @@
 
 #include "orthoball/output/alpha_text.h"
 #include "orthoball/output/npz.h"
+#include "orthoball/output/signature_columns.h"
 #include "orthoball/output/tables.h"
 
 namespace orthoball {
@@ -128,14 +129,7 @@ void write_signature_json(ByteSink& sink, const SignatureRow<D>& row) {
 template <int D>
 void write_signatures_npz(ByteSink& sink, const std::vector<SignatureRow<D>>& rows) {
   NpzWriter archive(sink);
-  archive.add_column<std::uint32_t>("index", rows,
-                                    [](const auto& row) { return row.signature.index; });
-  archive.add_column<double>("alpha2", rows, [](const auto& row) { return row.signature.alpha2; });
-  archive.add_column<double>("alpha", rows, [](const auto& row) { return row.alpha; });
-  archive.add_columns("betti", D, rows,
-                      [](const auto& row) { return std::span(row.signature.betti); });
-  archive.add_column<std::int64_t>("euler", rows,
-                                   [](const auto& row) { return row.signature.euler; });
+  add_first_columns<D>(archive, rows);
   for (std::size_t role = 0; role < kRoles.size(); ++role) {
     archive.add_columns(kRoles[role], D + 1, rows,
                         [&](const auto& row) { return counts(row.signature)[role]; });

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <memory>
+#include <numeric>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -105,7 +105,6 @@ class BallSearch {
   [[nodiscard]] const InscribedBall<D>& largest() const { return largest_; }
 
  private:
-  using Numbers = std::shared_ptr<const std::vector<std::uint32_t>>;
   static constexpr std::uint32_t kMostParts = std::uint32_t{1} << 16U;
 
   // A part of a cell, with the balls that may be the nearest to some of its points.
@@ -113,7 +112,7 @@ class BallSearch {
     double bound;
     std::uint32_t number;
     Simplex<D> simplex;
-    Numbers near;
+    std::uint32_t near;                                    // of lists_
     friend bool operator<(const Part& a, const Part& b) {  // the first is the largest
       return a.bound != b.bound ? a.bound < b.bound : a.number > b.number;
     }
@@ -130,20 +129,21 @@ class BallSearch {
   double little_;
   InscribedBall<D> largest_{{}, -1.0};
   std::priority_queue<Part> waiting_;
-  std::vector<double> gaps_;  // of balls from the middle of a part
+  std::vector<std::vector<std::uint32_t>> lists_;  // of balls, by number
+  std::vector<double> gaps_;                       // of balls from the middle of a part
   std::uint32_t parts_ = 0;
 };
 
 template <int D>
 void BallSearch<D>::divide(std::span<const VoidCell<D>> cells) {
-  auto all = std::make_shared<std::vector<std::uint32_t>>(balls_.size());
-  for (std::uint32_t i = 0; i < all->size(); ++i) (*all)[i] = i;
+  lists_.emplace_back(balls_.size());
+  std::iota(lists_[0].begin(), lists_[0].end(), 0U);
   for (const VoidCell<D>& cell : cells) {
     constexpr int kHalvings = 6;  // before all balls are asked
     Simplex<D> simplex;
     for (std::size_t i = 0; i <= D; ++i) simplex[i] = cell.corners[i].x;
     const double most = bound<D>(simplex, cell, enough(), kHalvings);
-    if (most > enough()) waiting_.push({most, parts_++, simplex, all});
+    if (most > enough()) waiting_.push({most, parts_++, simplex, 0});
   }
   const std::uint32_t most = parts_ + kMostParts;
   while (!waiting_.empty() && parts_ < most && waiting_.top().bound > enough()) {
@@ -162,7 +162,7 @@ void BallSearch<D>::look_at(const Part& part) {
   }
   gaps_.clear();
   double least_gap = kInfinity, least_bound = part.bound;
-  for (const std::uint32_t number : *part.near) {
+  for (const std::uint32_t number : lists_[part.near]) {
     const Sphere<D>& ball = balls_[number];
     gaps_.push_back(distance<D>(centre, ball.x) - ball.radius);
     least_gap = std::min(least_gap, gaps_.back());
@@ -172,12 +172,14 @@ void BallSearch<D>::look_at(const Part& part) {
   }
   if (least_gap > largest_.radius) grow_from(centre);
   if (least_bound <= enough()) return;
-  auto near = std::make_shared<std::vector<std::uint32_t>>();
+  std::vector<std::uint32_t> near;
   for (std::size_t i = 0; i < gaps_.size(); ++i) {
-    if (gaps_[i] - half_width <= least_bound) near->push_back((*part.near)[i]);
+    if (gaps_[i] - half_width <= least_bound) near.push_back(lists_[part.near][i]);
   }
+  const auto list = static_cast<std::uint32_t>(lists_.size());
+  lists_.push_back(std::move(near));
   for (const Simplex<D>& half : halves<D>(part.simplex)) {
-    waiting_.push({least_bound, parts_++, half, near});
+    waiting_.push({least_bound, parts_++, half, list});
   }
 }
 
