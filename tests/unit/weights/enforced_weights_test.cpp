@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "matchers/simplex_rows.h"
 #include "orthoball/error.h"
 #include "orthoball/triangulation/build.h"
 #include "orthoball/weights/linear_program.h"
@@ -13,17 +14,9 @@
 namespace orthoball {
 namespace {
 
+using matchers::plane;
+using matchers::simplex;
 using Numbers = std::vector<std::size_t>;
-
-SimplexRows simplex(std::initializer_list<std::uint32_t> rows) {
-  SimplexRows ids;
-  for (const std::uint32_t row : rows) ids.emplace_back(row);
-  return ids;
-}
-
-WeightedPoints plane(std::vector<double> coordinates) {
-  return WeightedPoints::fixed_point(2, 1, std::move(coordinates), WeightKind::none, {});
-}
 
 template <int D>
 std::vector<bool> present(const WeightedPoints& points, double alpha2,
