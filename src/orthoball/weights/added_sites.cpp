@@ -91,13 +91,14 @@ class Cutting {
     for (std::size_t i = 0; i < simplices.size(); ++i) {
       SimplexRows part;
       for (const SiteId row : simplices[i]) part.push_back(rows[row.row()]);
-      std::sort(part.begin(), part.end());
-      parts_.push_back(std::move(part));
+      parts_.push_back(sorted(std::move(part)));
       part_of_.push_back(i);
     }
-    for (const SimplexRows& simplex : simplices) {
-      for (const SiteId row : simplex) {
-        if (row != simplex[0]) least_ = std::min(least_, square(row, simplex[0]));
+    for (const SimplexRows& part : parts_) {
+      for (const SiteId a : part) {
+        for (const SiteId b : part) {
+          if (a != b) least_ = std::min(least_, square(a, b));
+        }
       }
     }
     if (!simplices.empty()) {
@@ -124,6 +125,7 @@ class Cutting {
       const auto crossing = edge_through_another(conflict);
       add(crossing ? *crossing : middle_of_an_edge(conflict));
     }
+    for (SimplexRows& part : parts_) std::sort(part.begin(), part.end());
     return {points_, points_.size() - given_, parts_, part_of_};
   }
 
@@ -134,6 +136,11 @@ class Cutting {
       x[axis] = points_.coordinates()[std::size_t{D} * row.row() + axis];
     }
     return x;
+  }
+  // By position, so that nothing depends on the order of rows.
+  [[nodiscard]] SimplexRows sorted(SimplexRows part) const {
+    std::sort(part.begin(), part.end(), [&](SiteId a, SiteId b) { return at(a) < at(b); });
+    return part;
   }
   // [row]: the first row with the largest weight at its position. Of others at one position all but
   // one would have to be hidden.
@@ -294,8 +301,7 @@ class Cutting {
       for (const SiteId corner : face) {
         SimplexRows part = parts_[i];
         std::replace(part.begin(), part.end(), corner, row);
-        std::sort(part.begin(), part.end());
-        parts.push_back(std::move(part));
+        parts.push_back(sorted(std::move(part)));
         part_of.push_back(part_of_[i]);
       }
     }
@@ -309,7 +315,7 @@ class Cutting {
   WeightedPoints points_;
   std::size_t given_;
   double least_ = std::numeric_limits<double>::infinity();  // squared length of an edge
-  std::vector<SimplexRows> parts_;
+  std::vector<SimplexRows> parts_;  // corners by position
   std::vector<std::size_t> part_of_;
 };
 

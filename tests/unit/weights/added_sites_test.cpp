@@ -4,10 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
+#include "generators/random.h"
 #include "matchers/simplex_rows.h"
+#include "orthoball/error.h"
 #include "orthoball/triangulation/build.h"
 #include "orthoball/weights/enforced_weights.h"
 #include "orthoball/weights/linear_program.h"
@@ -58,7 +62,7 @@ TEST_F(AddedSitesTest, AreOneForTwoEdgesThatCross) {
   EXPECT_EQ(result.points.coordinate(4, 0), 2.0);
   EXPECT_EQ(result.points.coordinate(4, 1), 1.5);
   EXPECT_EQ(result.simplices, (std::vector<SimplexRows>{simplex({2, 4}), simplex({0, 4}),
-                                                        simplex({3, 4}), simplex({1, 4})}));
+                                                        simplex({1, 4}), simplex({3, 4})}));
   EXPECT_EQ(result.part_of, (Numbers{0, 0, 1, 1}));
 }
 
@@ -101,6 +105,81 @@ TEST_F(AddedSitesTest, BreakARingInWhichNoTwoMeet) {
        simplex({1, 2, 5}), simplex({2, 3, 5}), simplex({0, 2, 3})},
       1000.0);
   EXPECT_EQ(result.added, 1U);
+}
+
+// The added sites and the parts, by position, in the order of neither; nothing where too many
+// sites were needed.
+struct Cut {
+  std::set<std::vector<double>> sites;
+  std::set<std::set<std::vector<double>>> parts;
+  friend bool operator==(const Cut&, const Cut&) = default;
+};
+
+Cut cut(const WeightedPoints& points, const std::vector<SimplexRows>& simplices) {
+  const auto position = [](const WeightedPoints& of, std::size_t row) {
+    std::vector<double> x;
+    for (int axis = 0; axis < of.dimension(); ++axis) x.push_back(of.coordinate(row, axis));
+    return x;
+  };
+  Cut result;
+  try {
+    const AddedSites found = with_added_sites(points, simplices);
+    for (std::size_t row = points.size(); row < found.points.size(); ++row) {
+      result.sites.insert(position(found.points, row));
+    }
+    for (const SimplexRows& rows : found.simplices) {
+      std::set<std::vector<double>> part;
+      for (const SiteId row : rows) part.insert(position(found.points, row.row()));
+      result.parts.insert(part);
+    }
+  } catch (const LimitError&) {
+  }
+  return result;
+}
+
+TEST_F(AddedSitesTest, DependOnPositionsAlone) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    generators::Random random(seed);
+    const int dimension = random.integer(2, 3), count = random.integer(6, 12);
+    const int size = random.coin() ? 3 : 1000;
+    std::vector<double> x;
+    for (int i = 0; i < dimension * count; ++i) x.push_back(random.integer(0, size));
+    std::vector<std::vector<int>> edges;
+    while (edges.size() < 4) {
+      const int a = random.integer(0, count - 1), b = random.integer(0, count - 1);
+      const auto at = [&](int row) { return x.begin() + dimension * row; };
+      if (!std::equal(at(a), at(a) + dimension, at(b))) edges.push_back({a, b});
+    }
+    const auto cut_of = [&](const std::vector<int>& row_of) {
+      std::vector<double> moved(x.size());
+      for (int row = 0; row < count; ++row) {
+        std::copy_n(x.begin() + dimension * row, dimension,
+                    moved.begin() + dimension * row_of[static_cast<std::size_t>(row)]);
+      }
+      std::vector<SimplexRows> simplices;
+      for (const auto& edge : edges) {
+        SimplexRows rows;
+        for (const int row : edge) {
+          rows.emplace_back(static_cast<std::uint32_t>(row_of[static_cast<std::size_t>(row)]));
+        }
+        std::sort(rows.begin(), rows.end());
+        simplices.push_back(rows);
+      }
+      return cut(WeightedPoints::fixed_point(dimension, 0, std::move(moved), WeightKind::none, {}),
+                 simplices);
+    };
+    std::vector<int> rows(static_cast<std::size_t>(count));
+    std::iota(rows.begin(), rows.end(), 0);
+    const Cut as_given = cut_of(rows);
+    for (int i = 0; i < 3; ++i) {
+      for (std::size_t row = rows.size(); row-- > 1;) {
+        std::swap(rows[row], rows[static_cast<std::size_t>(random.integer(0, static_cast<int>(row)))]);
+      }
+      EXPECT_EQ(cut_of(rows), as_given);
+      std::swap(edges.front(), edges.back());
+    }
+  }
 }
 
 }  // namespace
