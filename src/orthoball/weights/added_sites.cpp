@@ -315,7 +315,7 @@ class Cutting {
   WeightedPoints points_;
   std::size_t given_;
   double least_ = std::numeric_limits<double>::infinity();  // squared length of an edge
-  std::vector<SimplexRows> parts_;  // corners by position
+  std::vector<SimplexRows> parts_;                          // corners by position
   std::vector<std::size_t> part_of_;
 };
 

@@ -66,7 +66,8 @@ struct Sizes {
 };
 
 template <int D>
-Sizes sizes_of(const DistinctSites<D>& sites, std::span<const SiteTuple> simplices) {
+Sizes sizes_of(const DistinctSites<D>& sites, std::vector<SiteTuple> simplices) {
+  std::sort(simplices.begin(), simplices.end());  // so that sums are rounded the same way
   double least = std::numeric_limits<double>::infinity(), logarithms = 0.0;
   for (const SiteTuple& simplex : simplices) {
     double square = 0.0;

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <cstdint>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "generators/point_families.h"
 #include "generators/random.h"
 #include "matchers/simplex_rows.h"
 #include "orthoball/error.h"
@@ -107,29 +109,33 @@ TEST_F(AddedSitesTest, BreakARingInWhichNoTwoMeet) {
   EXPECT_EQ(result.added, 1U);
 }
 
-// The added sites and the parts, by position, in the order of neither; nothing where too many
-// sites were needed.
+// Sites with their weights, and the parts, by position; nothing where too many sites were needed.
 struct Cut {
   std::set<std::vector<double>> sites;
   std::set<std::set<std::vector<double>>> parts;
   friend bool operator==(const Cut&, const Cut&) = default;
 };
 
+std::vector<double> position(const WeightedPoints& points, std::size_t row) {
+  std::vector<double> x;
+  for (int axis = 0; axis < points.dimension(); ++axis) x.push_back(points.coordinate(row, axis));
+  return x;
+}
+
 Cut cut(const WeightedPoints& points, const std::vector<SimplexRows>& simplices) {
-  const auto position = [](const WeightedPoints& of, std::size_t row) {
-    std::vector<double> x;
-    for (int axis = 0; axis < of.dimension(); ++axis) x.push_back(of.coordinate(row, axis));
-    return x;
-  };
   Cut result;
   try {
     const AddedSites found = with_added_sites(points, simplices);
-    for (std::size_t row = points.size(); row < found.points.size(); ++row) {
-      result.sites.insert(position(found.points, row));
+    const WeightedPoints held =
+        enforced_weights(found.points, found.simplices, 1.0, Threads(1), found.added).points;
+    for (std::size_t row = 0; row < held.size(); ++row) {
+      std::vector<double> site = position(held, row);
+      site.push_back(held.weight(row));
+      result.sites.insert(site);
     }
     for (const SimplexRows& rows : found.simplices) {
       std::set<std::vector<double>> part;
-      for (const SiteId row : rows) part.insert(position(found.points, row.row()));
+      for (const SiteId row : rows) part.insert(position(held, row.row()));
       result.parts.insert(part);
     }
   } catch (const LimitError&) {
@@ -137,48 +143,57 @@ Cut cut(const WeightedPoints& points, const std::vector<SimplexRows>& simplices)
   return result;
 }
 
+// Points on a small or a fine lattice, and edges between them, which often cross.
+struct Crossing {
+  int dimension;
+  std::vector<std::vector<double>> points;
+  std::vector<std::array<std::uint32_t, 2>> edges;
+};
+
+Crossing random_crossing(std::uint64_t seed) {
+  generators::Random random(seed);
+  Crossing result{random.integer(2, 3), {}, {}};
+  const int count = random.integer(6, 12), size = random.coin() ? 3 : 1000;
+  for (int row = 0; row < count; ++row) {
+    std::vector<double> x;
+    for (int axis = 0; axis < result.dimension; ++axis) x.push_back(random.integer(0, size));
+    result.points.push_back(x);
+  }
+  while (result.edges.size() < 4) {
+    const auto a = static_cast<std::uint32_t>(random.integer(0, count - 1));
+    const auto b = static_cast<std::uint32_t>(random.integer(0, count - 1));
+    if (result.points[a] != result.points[b]) result.edges.push_back({a, b});
+  }
+  return result;
+}
+
+// Row i of the input is point `order[i]`.
+Cut cut(const Crossing& of, const std::vector<std::uint32_t>& order) {
+  std::vector<double> x;
+  for (const std::uint32_t point : order) {
+    x.insert(x.end(), of.points[point].begin(), of.points[point].end());
+  }
+  const auto row_of = [&](std::uint32_t point) {
+    return static_cast<std::uint32_t>(std::find(order.begin(), order.end(), point) - order.begin());
+  };
+  std::vector<SimplexRows> simplices;
+  for (const auto& [a, b] : of.edges) {
+    const auto [low, high] = std::minmax({row_of(a), row_of(b)});
+    simplices.push_back(simplex({low, high}));
+  }
+  std::sort(simplices.begin(), simplices.end());  // another order of these, too
+  return cut(WeightedPoints::fixed_point(of.dimension, 0, std::move(x), WeightKind::none, {}),
+             simplices);
+}
+
 TEST_F(AddedSitesTest, DependOnPositionsAlone) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    generators::Random random(seed);
-    const int dimension = random.integer(2, 3), count = random.integer(6, 12);
-    const int size = random.coin() ? 3 : 1000;
-    std::vector<double> x;
-    for (int i = 0; i < dimension * count; ++i) x.push_back(random.integer(0, size));
-    std::vector<std::vector<int>> edges;
-    while (edges.size() < 4) {
-      const int a = random.integer(0, count - 1), b = random.integer(0, count - 1);
-      const auto at = [&](int row) { return x.begin() + dimension * row; };
-      if (!std::equal(at(a), at(a) + dimension, at(b))) edges.push_back({a, b});
-    }
-    const auto cut_of = [&](const std::vector<int>& row_of) {
-      std::vector<double> moved(x.size());
-      for (int row = 0; row < count; ++row) {
-        std::copy_n(x.begin() + dimension * row, dimension,
-                    moved.begin() + dimension * row_of[static_cast<std::size_t>(row)]);
-      }
-      std::vector<SimplexRows> simplices;
-      for (const auto& edge : edges) {
-        SimplexRows rows;
-        for (const int row : edge) {
-          rows.emplace_back(static_cast<std::uint32_t>(row_of[static_cast<std::size_t>(row)]));
-        }
-        std::sort(rows.begin(), rows.end());
-        simplices.push_back(rows);
-      }
-      return cut(WeightedPoints::fixed_point(dimension, 0, std::move(moved), WeightKind::none, {}),
-                 simplices);
-    };
-    std::vector<int> rows(static_cast<std::size_t>(count));
-    std::iota(rows.begin(), rows.end(), 0);
-    const Cut as_given = cut_of(rows);
-    for (int i = 0; i < 3; ++i) {
-      for (std::size_t row = rows.size(); row-- > 1;) {
-        std::swap(rows[row], rows[static_cast<std::size_t>(random.integer(0, static_cast<int>(row)))]);
-      }
-      EXPECT_EQ(cut_of(rows), as_given);
-      std::swap(edges.front(), edges.back());
-    }
+    const Crossing crossing = random_crossing(seed);
+    const std::size_t count = crossing.points.size();
+    const Cut expected = cut(crossing, generators::random_permutation(count, 1));
+    EXPECT_EQ(cut(crossing, generators::random_permutation(count, 2)), expected);
+    EXPECT_EQ(cut(crossing, generators::random_permutation(count, 3)), expected);
   }
 }
 
