@@ -95,10 +95,8 @@ void add_alpha_options(CLI::App& command, AlphaOptions& options, bool takes_list
   auto* const alpha2 =
       command
           .add_option("--alpha2", options.alpha2,
-                      std::string("signed squared radius [length^2]") +
-                          (takes_list ? ", or auto, as in shape" : ", or auto: see below") +
-                          ",\nor auto:NAME, a candidate of orthoball alpha"
-                          "\n(default: " +
+                      "signed squared radius [length^2], or auto, see shape --help,\n"
+                      "or auto:NAME, a candidate of orthoball alpha\n(default: " +
                           otherwise + ")")
           ->type_name(takes_list ? type : "X|auto[:NAME]")
           ->group(group);

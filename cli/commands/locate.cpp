@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -32,6 +33,28 @@ struct LocateOptions {
   bool json = false;
 };
 
+// Reads QUERY. Messages of readers name the options of INPUT; here they are to name its own.
+orthoball::Reading read_as_query(const std::string& query, const orthoball::ReadOptions& options) {
+  const auto renamed = [](std::string message) {
+    for (const auto& [name, own] :
+         {std::pair<std::string, std::string>{"--input-format", "--query-format"},
+          {"--columns", "--query-columns"}}) {
+      const std::size_t at = message.find(name);
+      if (at != std::string::npos) message.replace(at, name.size(), own);
+    }
+    return message;
+  };
+  try {
+    return orthoball::read(query, options);
+  } catch (const orthoball::ParseError& error) {
+    const std::string at = orthoball::ParseError(error.file(), error.line(), "").what();
+    throw orthoball::ParseError(error.file(), error.line(),
+                                renamed(error.what()).substr(at.size()));
+  } catch (const orthoball::InputError& error) {
+    throw orthoball::InputError(error.reason(), error.row(), renamed(error.what()));
+  }
+}
+
 // The points that are asked about; their weights do not matter.
 orthoball::WeightedPoints read_query(const LocateOptions& options, int dimension) {
   orthoball::ReadOptions read;
@@ -44,7 +67,7 @@ orthoball::WeightedPoints read_query(const LocateOptions& options, int dimension
   if (!options.query_columns.empty()) {
     read.columns = CLI::detail::split(options.query_columns, ',');
   }
-  orthoball::Reading reading = orthoball::read(options.query, read);
+  orthoball::Reading reading = read_as_query(options.query, read);
   for (const std::string& warning : reading.warnings) say(options.input, "warning: " + warning);
   if (reading.points.dimension() == dimension) return std::move(reading.points);
   throw orthoball::ParseError(

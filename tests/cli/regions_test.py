@@ -198,6 +198,9 @@ class Locate(WithPoints):
         self.assertIn("cannot both be standard input", self.refused(2, "locate", "-", "-"))
         self.assertIn("QUERY", self.refused(2, "locate", EIGHT))
         self.assertIn("missing.csv", self.refused(1, "locate", EIGHT, "missing.csv"))
+        unknown = self.points("query.what", [(0, 0)])
+        self.assertIn("--query-format", self.refused(1, "locate", self.pierced, unknown))
+        self.assertIn("--query-format", self.refused(2, "locate", self.pierced, "-"))
 
 
 class Query(InAFolder):

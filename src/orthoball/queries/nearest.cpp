@@ -209,6 +209,25 @@ std::vector<Piece<D>> boundary_pieces(const AlphaComplex<D>& complex, const Scal
   return pieces;
 }
 
+// Where a point is in the units of the balls, brought nearer by so many halvings that squares of
+// distances are numbers: from that far all of the boundary is at one distance, twice as far being
+// twice the distance.
+template <int D>
+std::pair<Point<D>, int> in_range(const ScaledBalls<D>& balls, const WeightedPoints& points,
+                                  std::size_t row) {
+  constexpr double kFarthest = 0x1p400;
+  for (int halvings = 0;; halvings += 256) {
+    Point<D> q;
+    double size = 0.0;
+    for (int axis = 0; axis < D; ++axis) {
+      const double x = std::ldexp(points.coordinate(row, axis), -halvings);
+      q[static_cast<std::size_t>(axis)] = balls.from_input(x, 1);
+      size = std::max(size, std::abs(q[static_cast<std::size_t>(axis)]));
+    }
+    if (size <= kFarthest) return {q, halvings};
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -222,14 +241,11 @@ std::vector<BoundaryPoint<D>> nearest_on_boundary(const AlphaComplex<D>& complex
   std::vector<BoundaryPoint<D>> result(points.size());
   const Threads used = threads.for_work(result.size(), kLeastPart);
   const auto find = [&](std::size_t i) {
-    Point<D> q;
-    for (int axis = 0; axis < D; ++axis) {
-      q[static_cast<std::size_t>(axis)] = balls.from_input(points.coordinate(i, axis), 1);
-    }
+    const auto [q, halvings] = in_range(balls, points, i);
     const auto found = tree.nearest(q);
     if (!found.simplex.exists()) return;
     result[i].simplex = found.simplex;
-    result[i].distance = lengths({std::sqrt(found.square_distance), 0.0});
+    result[i].distance = std::ldexp(lengths({std::sqrt(found.square_distance), 0.0}), halvings);
     for (std::size_t axis = 0; axis < D; ++axis) {
       result[i].point[axis] = lengths({found.point[axis], 0.0});
     }

@@ -57,6 +57,21 @@ TEST(NearestOnBoundary, SingularSimplicesCountUnlessRegularized) {
   EXPECT_EQ(solid[0].distance, std::hypot(9.5, 3.0));
 }
 
+TEST(NearestOnBoundary, PointsSoFarThatSquaresOverflowHaveTheirDistance) {
+  for (const double size : {1.0, 0x1p-900, 0x1p600}) {
+    const auto filtration =
+        filtration_of<2>(WeightedPoints(2, {0, 0, size, 0, 0, size}, WeightKind::none, {}));
+    const WeightedPoints points(2, {0x1p1000, 0, -0x1.8p900, 0x1p901, 3 * size, 4 * size},
+                                WeightKind::none, {});
+    const auto found =
+        nearest_on_boundary(AlphaComplex(filtration, filtration.spectrum_size()), points);
+    EXPECT_TRUE(found[0].simplex.exists());
+    EXPECT_EQ(found[0].distance, 0x1p1000);
+    EXPECT_EQ(found[1].distance, 0x1.4p901);
+    EXPECT_NEAR(found[2].distance / size, std::sqrt(18.0), 1e-15 * 18);
+  }
+}
+
 TEST(NearestOnBoundary, WithoutBoundaryThereIsNone) {
   const auto filtration = filtration_of<2>(WeightedPoints(2, {0, 0, 1, 0}, WeightKind::none, {}));
   const WeightedPoints points(2, {0, 0}, WeightKind::none, {});
