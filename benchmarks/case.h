@@ -27,6 +27,7 @@ namespace orthoball::benchmarks {
 ///   input          nothing: what a process costs before its work begins
 ///   triangulation  from points to the cells of the regular triangulation
 ///   filtration     from points to all simplices in exact order
+///   persistence    from points to the persistence pairs of all dimensions, in the stage `pairs`
 ///   signatures     from points to all signatures with Betti numbers at every index
 struct Case {
   std::string work;

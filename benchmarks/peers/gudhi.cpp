@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // GUDHI's side of a comparison, see case.h: its alpha complex in space in the default form, whose
-// combinatorics are exact and whose values are doubles, sorted as its filtration.
+// combinatorics are exact and whose values are doubles, sorted as its filtration; and the
+// persistent cohomology of that over Z/2.
 #include <gudhi/Alpha_complex_3d.h>
+#include <gudhi/Persistent_cohomology.h>
 #include <gudhi/Simplex_tree.h>
 
 #include <cstddef>
@@ -26,14 +28,23 @@ void filter(const Case& task) {
     centres.emplace_back(x[0], x[1], x[2]);
     weights.push_back(orthoball::benchmarks::weight(task.points, row));
   }
-  Gudhi::Simplex_tree<Gudhi::Simplex_tree_options_fast_persistence> tree;
-  const Meter meter;
+  using Tree = Gudhi::Simplex_tree<Gudhi::Simplex_tree_options_fast_persistence>;
+  Tree tree;
+  Meter meter;
   if constexpr (IsWeighted) {
     Complex(centres, weights).create_complex(tree);
   } else {
     Complex(centres).create_complex(tree);
   }
   tree.initialize_filtration();
+  meter.stage("filtration");
+  if (task.work == "persistence") {
+    using Gudhi::persistent_cohomology::Field_Zp;
+    Gudhi::persistent_cohomology::Persistent_cohomology<Tree, Field_Zp> cohomology(tree);
+    cohomology.init_coefficients(2);
+    cohomology.compute_persistent_cohomology();
+    meter.stage("pairs");
+  }
   meter.report(task, {{"vertices", tree.num_vertices()}, {"simplices", tree.num_simplices()}});
 }
 
@@ -41,8 +52,9 @@ void filter(const Case& task) {
 
 int main(int argc, char** argv) {
   const Case task = orthoball::benchmarks::case_of(argc, argv);
-  if (task.work != "filtration" || task.points.dimension() != 3) {
-    throw std::invalid_argument("GUDHI is asked for filtrations in space only");
+  const bool is_known = task.work == "filtration" || task.work == "persistence";
+  if (!is_known || task.points.dimension() != 3) {
+    throw std::invalid_argument("GUDHI is asked for filtrations and persistence in space only");
   }
   task.points.weight_kind() == orthoball::WeightKind::none ? filter<false>(task)
                                                            : filter<true>(task);

@@ -12,6 +12,7 @@
 #include "orthoball/measures/union_of_balls.h"
 #include "orthoball/parallel.h"
 #include "orthoball/signatures/signature.h"
+#include "orthoball/topology/persistence.h"
 #include "orthoball/triangulation/build.h"
 
 namespace {
@@ -84,6 +85,10 @@ void run(const benchmarks::Case& task) {
       throw std::logic_error("simplices were lost");
     }
     meter.stage("filter");
+  } else if (task.work == "persistence") {
+    const PersistencePairs<D> pairs = persistence_pairs(filtration, WantedPairs::lasting, threads);
+    if (pairs[0].empty()) throw std::logic_error("the first component was left out");
+    meter.stage("pairs");
   } else {
     throw std::invalid_argument("no work " + task.work);
   }
