@@ -17,10 +17,10 @@
 #include <utility>
 #include <vector>
 
+#include "matchers/reference_inputs.h"
 #include "oracles/sha256.h"
 #include "orthoball/filtration/filter.h"
 #include "orthoball/filtration/filtration.h"
-#include "orthoball/input/read.h"
 #include "orthoball/measures/union_of_balls.h"
 #include "orthoball/signatures/signature.h"
 #include "orthoball/triangulation/build.h"
@@ -30,8 +30,6 @@ namespace {
 
 using nlohmann::json;
 using Path = std::filesystem::path;
-
-const Path kShared = Path(ORTHOBALL_SOURCE_DIR) / ".." / "shared";
 
 std::string joined(const std::vector<std::uint32_t>& rows) {
   std::string text;
@@ -147,39 +145,6 @@ json candidate(const Filtration<D>& filtration, const std::vector<double>& thres
   return result;
 }
 
-// The same numbers, each taken as the double nearest to it.
-WeightedPoints as_doubles(const WeightedPoints& points) {
-  if (!points.decimals()) return points;
-  const double unit = std::pow(10.0, *points.decimals());  // exact up to 22 decimals
-  EXPECT_LE(*points.decimals(), 22);
-  EXPECT_NE(points.weight_kind(), WeightKind::weight);
-  std::vector<double> coordinates, radii;
-  for (const double x : points.coordinates()) coordinates.push_back(x / unit);
-  for (const double r : points.weights()) radii.push_back(r / unit);
-  return {points.dimension(), coordinates, points.weight_kind(), radii};
-}
-
-Path points_file(const std::string& file) {
-  if (file == "1aon.txt") return kShared / "data/mol/1aon_groel.pdb.gz";
-  if (file == "bunny.txt") return kShared / "data/cloud/bunny.off";
-  const Path generated = kShared / "reference/generated" / file;
-  return exists(generated) ? generated : kShared / "data/points" / file;
-}
-
-WeightedPoints points_of(const json& input) {
-  const Path path = points_file(input["file"]);
-  ReadOptions options;
-  options.dimension = input["dim"].get<int>();
-  options.allow_empty = true;
-  if (path.extension() == ".txt" && input["weighted"]) {
-    options.radius_column = std::to_string(*options.dimension + 1);
-  }
-  const WeightedPoints points = read(path.string(), options).points;
-  if (input["numbers"] == "double") return as_doubles(points);
-  EXPECT_TRUE(points.decimals().has_value());
-  return points;
-}
-
 std::string text_of(const Path& path) {
   std::ifstream stream(path, std::ios::binary);
   return std::string(std::istreambuf_iterator<char>(stream), {});
@@ -189,11 +154,11 @@ class Reference : public ::testing::TestWithParam<Path> {};
 
 TEST_P(Reference, AgreesInEveryKey) {
   if (GetParam().empty()) GTEST_SKIP() << "no ../shared/reference beside the project";
-  const json expected = json::parse(text_of(GetParam()));
+  const json expected = matchers::reference_results(GetParam());
   std::vector<double> thresholds;
   for (const json& row : expected["at"]) thresholds.push_back(row["alpha2"]);
 
-  const WeightedPoints points = points_of(expected["input"]);
+  const WeightedPoints points = matchers::reference_points(expected);
   json result = points.dimension() == 2
                     ? candidate(Filtration<2>(regular_triangulation<2>(points)), thresholds)
                     : candidate(Filtration<3>(regular_triangulation<3>(points)), thresholds);
@@ -212,10 +177,10 @@ TEST_P(Reference, AgreesInEveryKey) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "candidate.json") << result.dump();
   const Path report = folder / "report.txt";
-  const std::string command = "python3 '" + (kShared / "reference/compare.py").string() +
-                              "' --all --ties '" + GetParam().string() + "' '" +
-                              (folder / "candidate.json").string() + "' > '" + report.string() +
-                              "' 2>&1";
+  const std::string command =
+      "python3 '" + (matchers::shared_folder() / "reference/compare.py").string() +
+      "' --all --ties '" + GetParam().string() + "' '" + (folder / "candidate.json").string() +
+      "' > '" + report.string() + "' 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << text_of(report);
   std::filesystem::remove_all(folder);
 }
@@ -245,9 +210,9 @@ void expect_unions(const Filtration<D>& filtration, const json& expected) {
 // good to a few of their standard deviations.
 TEST_P(Reference, AgreesInUnionsOfBalls) {
   if (GetParam().empty()) GTEST_SKIP() << "no ../shared/reference beside the project";
-  const json expected = json::parse(text_of(GetParam()));
+  const json expected = matchers::reference_results(GetParam());
   if (!expected.contains("union_of_balls")) return;
-  const WeightedPoints points = points_of(expected["input"]);
+  const WeightedPoints points = matchers::reference_points(expected);
   if (points.dimension() == 2) {
     expect_unions(Filtration<2>(regular_triangulation<2>(points)), expected["union_of_balls"]);
   } else {
@@ -255,30 +220,12 @@ TEST_P(Reference, AgreesInUnionsOfBalls) {
   }
 }
 
-std::vector<Path> expected_files() {
-  std::vector<Path> files;
-  for (const char* const folder : {"generated", "real"}) {
-    const Path path = kShared / "reference" / folder;
-    if (!is_directory(path)) continue;
-    for (const auto& entry : std::filesystem::directory_iterator(path)) {
-      if (entry.path().extension() == ".json") files.push_back(entry.path());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  if (files.empty()) files.emplace_back();
-  return files;
-}
-
 std::string test_name(const ::testing::TestParamInfo<Path>& info) {
-  std::string name = info.param.stem().string();
-  if (name.empty()) return "absent";
-  for (char& character : name) {
-    if (std::isalnum(static_cast<unsigned char>(character)) == 0) character = '_';
-  }
-  return name;
+  return matchers::reference_name(info.param);
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, Reference, ::testing::ValuesIn(expected_files()), test_name);
+INSTANTIATE_TEST_SUITE_P(Files, Reference, ::testing::ValuesIn(matchers::reference_files()),
+                         test_name);
 
 }  // namespace
 }  // namespace orthoball
