@@ -13,7 +13,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -37,8 +36,9 @@ template <int A>
 CornerMap ranks_of(const std::array<std::uint32_t, std::size_t{A + 1}>& corners) {
   if constexpr (A == 3) {
     using Four = std::int32_t __attribute__((vector_size(16)));  // vertices are below 2^31
-    Four all;
-    std::memcpy(&all, corners.data(), sizeof all);
+    // Not as they lie in memory: a load of all would wait for the stores of each.
+    const auto signed_corner = [&](std::size_t i) { return static_cast<std::int32_t>(corners[i]); };
+    const Four all = {signed_corner(0), signed_corner(1), signed_corner(2), signed_corner(3)};
     const Four ranks = (all > __builtin_shufflevector(all, all, 1, 2, 3, 0)) +
                        (all > __builtin_shufflevector(all, all, 2, 3, 0, 1)) +
                        (all > __builtin_shufflevector(all, all, 3, 0, 1, 2));  // negative
@@ -75,14 +75,14 @@ constexpr std::array<CornerMap, 256> kOrientedMaps = [] {
   return maps;
 }();
 
-// Puts the corners in ascending order, the last two exchanged after an odd permutation where
-// orientation matters.
+// Puts the corners in ascending order into `sorted`, the last two exchanged after an odd
+// permutation where orientation matters.
 template <int A>
-CornerMap sort_corners(std::array<std::uint32_t, std::size_t{A + 1}>& corners, bool is_oriented) {
+CornerMap sort_corners(const std::array<std::uint32_t, std::size_t{A + 1}>& corners,
+                       bool is_oriented, std::array<std::uint32_t, std::size_t{A + 1}>& sorted) {
   const CornerMap ranks = ranks_of<A>(corners);
   const CornerMap map = is_oriented ? kOrientedMaps<A>[ranks] : ranks;
-  const auto old = corners;
-  for (std::uint32_t i = 0; i <= A; ++i) corners[mapped(map, i)] = old[i];
+  for (std::uint32_t i = 0; i <= A; ++i) sorted[mapped(map, i)] = corners[i];
   return map;
 }
 
@@ -197,6 +197,7 @@ class CanonicalOrder {
                      next[part].resize(vertices());
                      for (std::size_t cell = begin; cell < end; ++cell) {
                        const auto [is_kept, vertex] = kept(cells_[cell]);
+                       place_[cell] = is_kept ? vertex : kNowhere;
                        if (is_kept) ++next[part][vertex];
                      }
                    });
@@ -209,8 +210,8 @@ class CanonicalOrder {
     parallel_parts(threads_, cells_.size(), parts(),
                    [&](std::size_t part, std::size_t begin, std::size_t end) {
                      for (std::size_t cell = begin; cell < end; ++cell) {
-                       const auto [is_kept, vertex] = kept(cells_[cell]);
-                       place_[cell] = is_kept ? next[part][vertex]++ : kNowhere;
+                       std::uint32_t& place = place_[cell];  // as yet the smallest corner
+                       if (place != kNowhere) place = next[part][place]++;
                      }
                    });
   }
@@ -244,13 +245,14 @@ class CanonicalOrder {
     const std::uint32_t first = cell.corners[0];
     return first == kNowhere ? kNowhere : first & ((1U << kPlaceBits) - 1);
   }
-  // By selections: stores would be waited for by whoever loads all corners at once.
-  [[gnu::always_inline]] static void put_back(Corners& corners, std::uint32_t smallest) {
-    const std::uint32_t at = corners[0] >> kPlaceBits;
-    const std::uint32_t first = corners[at];
+  [[gnu::always_inline]] static Corners put_back(const Corners& carried, std::uint32_t smallest) {
+    const std::uint32_t at = carried[0] >> kPlaceBits;
+    const std::uint32_t first = carried[at];
+    Corners corners;
     for (std::uint32_t i = 0; i <= A; ++i) {
-      corners[i] = i == at ? smallest : i == 0 ? first : corners[i];
+      corners[i] = i == at ? smallest : i == 0 ? first : carried[i];
     }
+    return corners;
   }
 
   // Moves the cells of slots begin..end - 1, which are those of these places, to their places; each
@@ -315,8 +317,8 @@ class CanonicalOrder {
     for (auto vertex = static_cast<std::uint32_t>(begin); vertex < end; ++vertex) {
       const std::uint32_t first = begins_[vertex], behind = begins_[vertex + 1];
       for (std::uint32_t cell = first; cell < behind; ++cell) {
-        put_back(cells_[cell].corners, vertex);
-        maps_[cell] = sort_corners<A>(cells_[cell].corners, is_oriented_);
+        Corners& corners = cells_[cell].corners;
+        maps_[cell] = sort_corners<A>(put_back(corners, vertex), is_oriented_, corners);
       }
       ranking.rank({cells_.data() + first, behind - first});
       for (std::uint32_t cell = first; cell < behind; ++cell) {

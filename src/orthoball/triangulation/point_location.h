@@ -33,7 +33,13 @@ class PointLocation {
   /// @param start  a finite cell or a cell at infinity in the territory.
   [[nodiscard]] Place locate(std::uint32_t site, std::uint32_t start,
                              const Territory<A, D>& territory) const {
-    return is_wide_ ? walk_wide(site, start, territory) : walk_plain(site, start, territory);
+    if constexpr (A == 2 && D == 2) {
+      return walk(site, start, territory, [&](const Corners<2>& corners, std::uint32_t of) {
+        return first_of(glanced_orients_around(sites_, corners, of), corners, of);
+      });
+    } else {
+      return is_wide_ ? walk_wide(site, start, territory) : walk_plain(site, start, territory);
+    }
   }
 
  private:
@@ -46,6 +52,14 @@ class PointLocation {
       if (orient<A, D>(sites_, facet_and_site) == Sign::negative) return i;
     }
     return A + 1;
+  }
+
+  // The same from what a glance has told.
+  [[nodiscard, gnu::always_inline]] unsigned first_of(const GlancedOrients& orients,
+                                                      const Corners<A>& corners,
+                                                      std::uint32_t site) const {
+    if (orients.negative != 0) return static_cast<unsigned>(std::countr_zero(orients.negative));
+    return orients.open == 0 ? unsigned{A + 1} : facet_before(corners, site);
   }
 
   template <class FacetBefore>
@@ -89,11 +103,7 @@ class PointLocation {
     if constexpr (A == 3) {
       return walk(site, start, territory,
                   [&](const Corners<A>& corners, std::uint32_t of) ORTHOBALL_AVX2 {
-                    const GlancedOrients orients = glanced_orients_around(sites_, corners, of);
-                    if (orients.negative != 0) {
-                      return static_cast<unsigned>(std::countr_zero(orients.negative));
-                    }
-                    return orients.open == 0 ? unsigned{A + 1} : facet_before(corners, of);
+                    return first_of(glanced_orients_around(sites_, corners, of), corners, of);
                   });
     } else {
       return walk_plain(site, start, territory);
