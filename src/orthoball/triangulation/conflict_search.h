@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -17,9 +16,6 @@
 #include "orthoball/triangulation/territory.h"
 
 namespace orthoball {
-
-/// Four words of a record at once.
-using Words = std::uint32_t __attribute__((vector_size(16)));
 
 /// A facet of the boundary of a conflict region. (site, vertices...) is positively oriented, but on
 /// a line, where that is for whoever makes cells to see to.
@@ -182,16 +178,17 @@ class ConflictSearch {
     return true;
   }
 
-  [[gnu::always_inline]] static Cell without_mark(Cell record) {
-    if constexpr (A == 3) {
-      // All at once: whoever loads them together would wait for a store to one.
-      Words neighbours;
-      std::memcpy(&neighbours, &record.neighbours, sizeof neighbours);
-      neighbours &= ~Words{CellStore<A>::kDead};
-      std::memcpy(&record.neighbours, &neighbours, sizeof neighbours);
-    } else {
-      record.neighbours[0] &= ~CellStore<A>::kDead;
-    }
+  // Its neighbours word by word: a load of several would wait until the mark, which may have been
+  // stored just now, has left the processor's queue. The empty asm keeps GCC from joining them.
+  [[gnu::always_inline]] static Cell without_mark(const Cell& cell) {
+    Cell record;
+    record.corners = cell.corners;
+    unrolled<std::size_t{A + 1}>([&](std::size_t i) __attribute__((always_inline)) {
+      std::uint32_t word = cell.neighbours[i];
+      if constexpr (A == 3) asm("" : "+r"(word));
+      record.neighbours[i] = word;
+    });
+    record.neighbours[0] &= ~CellStore<A>::kDead;
     return record;
   }
 
