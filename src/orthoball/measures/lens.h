@@ -7,7 +7,7 @@
 #include <cstddef>
 
 #include "orthoball/measures/angle.h"
-#include "orthoball/measures/vectors.h"
+#include "orthoball/vectors.h"
 
 namespace orthoball {
 

@@ -18,9 +18,9 @@
 #include <numbers>
 #include <utility>
 
-#include "orthoball/measures/vectors.h"
 #include "orthoball/queries/sphere_triangles.h"
 #include "orthoball/topology/union_find.h"
+#include "orthoball/vectors.h"
 
 namespace orthoball {
 namespace {
@@ -30,20 +30,6 @@ constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 // Sides are much shorter than corners are far from the origin if they are by this factor: some
 // hundred rounding errors.
 constexpr double kJoined = 0x1p-44;
-
-template <std::size_t D>
-std::array<double, D> difference(const std::array<double, D>& a, const std::array<double, D>& b) {
-  std::array<double, D> result;
-  for (std::size_t axis = 0; axis < D; ++axis) result[axis] = a[axis] - b[axis];
-  return result;
-}
-
-template <std::size_t D>
-double dot_product(const std::array<double, D>& a, const std::array<double, D>& b) {
-  double sum = 0.0;
-  for (std::size_t axis = 0; axis < D; ++axis) sum += a[axis] * b[axis];
-  return sum;
-}
 
 }  // namespace
 
@@ -127,7 +113,7 @@ void ConvexPolytope<D>::cut(const HalfSpace<D>& half_space, std::uint32_t label)
   excess_.resize(corners_.size());
   bool some_go = false, some_stay = false;
   for (std::size_t i = 0; i < corners_.size(); ++i) {
-    excess_[i] = dot_product(half_space.normal, corners_[i]) - half_space.offset;
+    excess_[i] = inner(half_space.normal, corners_[i]) - half_space.offset;
     some_go |= excess_[i] > 0.0;
     some_stay |= excess_[i] < 0.0;
   }
@@ -315,7 +301,7 @@ double ConvexPolytope<3>::volume() const {
     for (std::uint32_t i = facet.begin + 1; i + 1 < facet.end; ++i) {
       const Point b = difference(corners_[loops_[i]], corners_[0]);
       const Point c = difference(corners_[loops_[i + 1]], corners_[0]);
-      six_times += dot_product(a, cross_product(b, c));
+      six_times += inner(a, cross_product(b, c));
     }
   }
   return six_times / 6;

@@ -11,18 +11,13 @@
 #include <limits>
 #include <vector>
 
+#include "orthoball/vectors.h"
+
 namespace orthoball {
 namespace {
 
 template <int D>
 using Vector = std::array<double, std::size_t{D}>;
-
-template <int D>
-double dot(const Vector<D>& a, const Vector<D>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < D; ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 double determinant(const Vector<2>& a, const Vector<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
 double determinant(const Vector<3>& a, const Vector<3>& b, const Vector<3>& c) {
@@ -68,7 +63,7 @@ Line<D> equal_distances(const std::array<Sphere<D>, std::size_t{D} + 1>& balls, 
     const double difference = by_power
                                   ? origin.weight - ball.weight
                                   : (origin.radius - ball.radius) * (origin.radius + ball.radius);
-    values[i] = (dot<D>(rows[i], rows[i]) + difference) / 2;
+    values[i] = (inner(rows[i], rows[i]) + difference) / 2;
     slopes[i] = origin.radius - ball.radius;
   }
   return {solution<D>(rows, values), solution<D>(rows, slopes)};
@@ -84,9 +79,9 @@ Vector<D> moved(const Vector<D>& from, const Vector<D>& by) {
 // The one or two radii of balls that touch all; not finite where there are none.
 template <int D>
 std::array<double, 2> touching_radii(const Line<D>& line, double first_radius) {
-  const double a = dot<D>(line.by, line.by) - 1.0;
-  const double b = dot<D>(line.at, line.by) - first_radius;
-  const double c = dot<D>(line.at, line.at) - first_radius * first_radius;
+  const double a = inner(line.by, line.by) - 1.0;
+  const double b = inner(line.at, line.by) - first_radius;
+  const double c = inner(line.at, line.at) - first_radius * first_radius;
   // Without cancellation: the larger root in size, the other by the product of both.
   const double root = std::sqrt(b * b - a * c);
   const double sum = b >= 0.0 ? -b - root : -b + root;
@@ -102,7 +97,7 @@ std::array<Sphere<D>, std::size_t{D} + 1> nearest(const Vector<D>& point,
   for (const Sphere<D>& ball : balls) {
     Vector<D> to{};
     for (std::size_t axis = 0; axis < D; ++axis) to[axis] = point[axis] - ball.x[axis];
-    const double gap = std::sqrt(dot<D>(to, to)) - ball.radius;
+    const double gap = std::sqrt(inner(to, to)) - ball.radius;
     if (gap >= gaps.back()) continue;
     std::size_t place = D;
     for (; place > 0 && gap < gaps[place - 1]; --place) {
@@ -132,7 +127,7 @@ InscribedBall<D> ball_around(const std::array<double, std::size_t{D}>& centre,
   for (const Sphere<D>& ball : balls) {
     Vector<D> to{};
     for (std::size_t axis = 0; axis < D; ++axis) to[axis] = centre[axis] - ball.x[axis];
-    radius = std::min(radius, std::sqrt(dot<D>(to, to)) - ball.radius);
+    radius = std::min(radius, std::sqrt(inner(to, to)) - ball.radius);
   }
   return {centre, radius};
 }
@@ -155,7 +150,7 @@ InscribedBall<D> inscribed_ball(const std::array<double, std::size_t{D}>& start,
       for (std::size_t axis = 0; axis < D; ++axis) {
         way[axis] = candidate.centre[axis] - best.centre[axis];
       }
-      const bool is_connected = std::sqrt(dot<D>(way, way)) < best.radius + candidate.radius;
+      const bool is_connected = std::sqrt(inner(way, way)) < best.radius + candidate.radius;
       if (is_connected && candidate.radius > found.radius) found = candidate;
     }
     if (!(found.radius > best.radius)) break;

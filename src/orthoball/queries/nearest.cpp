@@ -12,6 +12,7 @@
 
 #include "orthoball/measures/scaled_balls.h"
 #include "orthoball/queries/query_points.h"
+#include "orthoball/vectors.h"
 
 namespace orthoball {
 namespace {
@@ -30,25 +31,15 @@ Point<D> along(const Point<D>& from, const Point<D>& direction, double t) {
   return result;
 }
 template <int D>
-Point<D> difference(const Point<D>& a, const Point<D>& b) {
-  return along<D>(a, b, -1.0);
-}
-template <int D>
-double dot(const Point<D>& a, const Point<D>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < D; ++i) sum += a[i] * b[i];
-  return sum;
-}
-template <int D>
 double square_distance(const Point<D>& a, const Point<D>& b) {
-  const Point<D> d = difference<D>(a, b);
-  return dot<D>(d, d);
+  const Point<D> d = difference(a, b);
+  return inner(d, d);
 }
 
 template <int D>
 Point<D> nearest_on_segment(const Point<D>& a, const Point<D>& b, const Point<D>& q) {
-  const Point<D> direction = difference<D>(b, a);
-  const double t = dot<D>(difference<D>(q, a), direction) / dot<D>(direction, direction);
+  const Point<D> direction = difference(b, a);
+  const double t = inner(difference(q, a), direction) / inner(direction, direction);
   if (!(t > 0.0)) return a;
   return t < 1.0 ? along<D>(a, direction, t) : b;
 }
@@ -62,11 +53,11 @@ Point<3> nearest_on_triangle(const std::array<Point<3>, 3>& corners, const Point
     if (square_distance<3>(other, q) < square_distance<3>(best, q)) best = other;
   }
   // With u, v the sides at corner 0: the normal equations of |q - corner - s u - t v|.
-  const Point<3> u = difference<3>(corners[1], corners[0]);
-  const Point<3> v = difference<3>(corners[2], corners[0]);
-  const Point<3> w = difference<3>(q, corners[0]);
-  const double uu = dot<3>(u, u), uv = dot<3>(u, v), vv = dot<3>(v, v);
-  const double wu = dot<3>(w, u), wv = dot<3>(w, v), area = uu * vv - uv * uv;
+  const Point<3> u = difference(corners[1], corners[0]);
+  const Point<3> v = difference(corners[2], corners[0]);
+  const Point<3> w = difference(q, corners[0]);
+  const double uu = inner(u, u), uv = inner(u, v), vv = inner(v, v);
+  const double wu = inner(w, u), wv = inner(w, v), area = uu * vv - uv * uv;
   const double s = (vv * wu - uv * wv) / area, t = (uu * wv - uv * wu) / area;
   if (!(s > 0.0 && t > 0.0 && s + t < 1.0)) return best;
   const Point<3> inside = along<3>(along<3>(corners[0], u, s), v, t);

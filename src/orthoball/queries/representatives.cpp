@@ -11,9 +11,9 @@
 
 #include "orthoball/error.h"
 #include "orthoball/measures/compensated_sum.h"
-#include "orthoball/measures/vectors.h"
 #include "orthoball/queries/edge_rings.h"
 #include "orthoball/topology/keyed_simplices.h"
+#include "orthoball/vectors.h"
 
 namespace orthoball {
 namespace {

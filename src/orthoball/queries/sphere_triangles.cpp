@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "orthoball/measures/vectors.h"
+#include "orthoball/vectors.h"
 
 namespace orthoball {
 namespace {

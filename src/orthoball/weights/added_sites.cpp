@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "orthoball/error.h"
+#include "orthoball/vectors.h"
 #include "orthoball/weights/conflicting_simplices.h"
 #include "orthoball/weights/reweighted_points.h"
 
@@ -32,19 +33,6 @@ constexpr std::size_t kMost = 6;  // sites a simplex
 template <int D>
 using Vector = std::array<double, std::size_t{D}>;
 
-template <int D>
-Vector<D> difference(Vector<D> a, const Vector<D>& b) {
-  for (std::size_t axis = 0; axis < D; ++axis) a[axis] -= b[axis];
-  return a;
-}
-
-template <int D>
-double dot(const Vector<D>& a, const Vector<D>& b) {
-  double sum = 0.0;
-  for (std::size_t axis = 0; axis < D; ++axis) sum += a[axis] * b[axis];
-  return sum;
-}
-
 // The factors with which the directions, up to three, sum up to `to`; empty where they do not, or
 // are not independent.
 template <int D>
@@ -54,8 +42,8 @@ std::optional<std::vector<double>> factors(const std::vector<Vector<D>>& directi
   std::vector<std::vector<double>> rows(count, std::vector<double>(count + 1));
   double size = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < count; ++j) rows[i][j] = dot<D>(directions[i], directions[j]);
-    rows[i][count] = dot<D>(directions[i], to);
+    for (std::size_t j = 0; j < count; ++j) rows[i][j] = inner(directions[i], directions[j]);
+    rows[i][count] = inner(directions[i], to);
     size = std::max(size, rows[i][i]);
   }
   for (std::size_t i = 0; i < count; ++i) {
@@ -77,7 +65,7 @@ std::optional<std::vector<double>> factors(const std::vector<Vector<D>>& directi
     result.push_back(rows[i][count] / rows[i][i]);
     for (std::size_t axis = 0; axis < D; ++axis) rest[axis] -= result[i] * directions[i][axis];
   }
-  if (dot<D>(rest, rest) > kOn * kOn * size) return std::nullopt;
+  if (inner(rest, rest) > kOn * kOn * size) return std::nullopt;
   return result;
 }
 
@@ -158,8 +146,8 @@ class Cutting {
     return rows;
   }
   [[nodiscard]] double square(SiteId a, SiteId b) const {
-    const Vector<D> along = difference<D>(at(a), at(b));
-    return dot<D>(along, along);
+    const Vector<D> along = difference(at(a), at(b));
+    return inner(along, along);
   }
 
   // Some parts that exclude each other, in an order that does not depend on that of rows.
@@ -185,9 +173,9 @@ class Cutting {
   [[nodiscard]] SimplexRows face_around(const SimplexRows& simplex, const Vector<D>& x) const {
     std::vector<Vector<D>> directions;
     for (const SiteId row : simplex) {
-      if (row != simplex[0]) directions.push_back(difference<D>(at(row), at(simplex[0])));
+      if (row != simplex[0]) directions.push_back(difference(at(row), at(simplex[0])));
     }
-    const auto found = factors<D>(directions, difference<D>(x, at(simplex[0])));
+    const auto found = factors<D>(directions, difference(x, at(simplex[0])));
     if (!found) return {};
     std::vector<double> shares{1.0};
     for (const double factor : *found) {
@@ -238,11 +226,11 @@ class Cutting {
         if ((chosen >> i & 1U) != 0) face.push_back(simplex[i]);
       }
       if (face.size() < 2 || face.size() > D) continue;
-      std::vector<Vector<D>> directions{difference<D>(a, b)};
+      std::vector<Vector<D>> directions{difference(a, b)};
       for (const SiteId row : face) {
-        if (row != face[0]) directions.push_back(difference<D>(at(row), at(face[0])));
+        if (row != face[0]) directions.push_back(difference(at(row), at(face[0])));
       }
-      const auto found = factors<D>(directions, difference<D>(a, at(face[0])));
+      const auto found = factors<D>(directions, difference(a, at(face[0])));
       if (!found || (*found)[0] < kOn || (*found)[0] > 1.0 - kOn) continue;
       Vector<D> x = a;
       for (std::size_t axis = 0; axis < D; ++axis) x[axis] += (*found)[0] * (b[axis] - a[axis]);
@@ -279,8 +267,8 @@ class Cutting {
   // Adds a site and cuts what it lies on; takes one that is there already instead.
   void add(const Vector<D>& x) {
     for (std::uint32_t row = 0; row < points_.size(); ++row) {
-      const Vector<D> away = difference<D>(at(SiteId(row)), x);
-      if (dot<D>(away, away) <= kOn * kOn * least_) return cut_at(SiteId(row));
+      const Vector<D> away = difference(at(SiteId(row)), x);
+      if (inner(away, away) <= kOn * kOn * least_) return cut_at(SiteId(row));
     }
     std::array<double, 3> position{};
     std::copy(x.begin(), x.end(), position.begin());

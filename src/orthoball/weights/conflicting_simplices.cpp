@@ -27,17 +27,9 @@ std::vector<std::size_t> contradiction(const DistinctSites<D>& sites,
   std::vector<bool> is_corner(sites.x.size());
   double logarithms = 0.0;
   for (const std::size_t number : numbers) {
-    double square = 0.0;
-    for (const std::uint32_t corner : simplices[number]) {
-      is_corner[corner] = true;
-      double sum = 0.0;
-      for (std::size_t axis = 0; axis < D; ++axis) {
-        const double along = sites.x[corner][axis] - sites.x[simplices[number][0]][axis];
-        sum += along * along;
-      }
-      square = std::max(square, sum);
-    }
-    logarithms += std::log(square) / static_cast<double>(numbers.size());
+    for (const std::uint32_t corner : simplices[number]) is_corner[corner] = true;
+    logarithms +=
+        std::log(sites.square_diameter(simplices[number])) / static_cast<double>(numbers.size());
   }
   WitnessProgram<D> program(
       sites, {.unit = std::exp(logarithms / 2), .margin = kMargin, .counted = &is_corner});

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "orthoball/vectors.h"
+
 namespace orthoball {
 
 template <int D>
@@ -41,6 +43,18 @@ DistinctSites<D>::DistinctSites(const WeightedPoints& points) {
     }
     site_of_row[one.row] = static_cast<std::uint32_t>(x.size() - 1);
   }
+}
+
+template <int D>
+double DistinctSites<D>::square_diameter(std::span<const std::uint32_t> some) const {
+  double square = 0.0;
+  for (const std::uint32_t a : some) {
+    for (const std::uint32_t b : some) {
+      const auto along = difference(x[a], x[b]);
+      square = std::max(square, inner(along, along));
+    }
+  }
+  return square;
 }
 
 template struct DistinctSites<2>;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "orthoball/points/weighted_points.h"
@@ -15,6 +16,9 @@ namespace orthoball {
 template <int D>
 struct DistinctSites {
   explicit DistinctSites(const WeightedPoints& points);
+
+  /// The largest squared distance between some of the sites.
+  [[nodiscard]] double square_diameter(std::span<const std::uint32_t> some) const;
 
   std::vector<std::array<double, std::size_t{D}>> x;  ///< [site]
   std::vector<double> weight;                         ///< [site], correctly rounded

@@ -70,16 +70,7 @@ Sizes sizes_of(const DistinctSites<D>& sites, std::vector<SiteTuple> simplices) 
   std::sort(simplices.begin(), simplices.end());  // so that sums are rounded the same way
   double least = std::numeric_limits<double>::infinity(), logarithms = 0.0;
   for (const SiteTuple& simplex : simplices) {
-    double square = 0.0;
-    for (const std::uint32_t a : simplex) {
-      for (const std::uint32_t b : simplex) {
-        double sum = 0.0;
-        for (std::size_t axis = 0; axis < D; ++axis) {
-          sum += (sites.x[a][axis] - sites.x[b][axis]) * (sites.x[a][axis] - sites.x[b][axis]);
-        }
-        square = std::max(square, sum);
-      }
-    }
+    const double square = sites.square_diameter(simplex);
     least = std::min(least, square);
     logarithms += std::log(square) / static_cast<double>(simplices.size());
   }

@@ -24,6 +24,7 @@
 #include <utility>
 
 #include "orthoball/error.h"
+#include "orthoball/vectors.h"
 
 namespace orthoball {
 namespace {
@@ -31,14 +32,6 @@ namespace {
 constexpr int kMostRounds = 2000;       // of adding what is violated
 constexpr std::size_t kMostOthers = 6;  // conditions added for a simplex in one round
 constexpr double kNoChange = 1e-9;      // of a weight, in the unit of the program squared
-
-template <int D>
-double dot(const std::array<double, std::size_t{D}>& a,
-           const std::array<double, std::size_t{D}>& b) {
-  double sum = 0.0;
-  for (std::size_t axis = 0; axis < D; ++axis) sum += a[axis] * b[axis];
-  return sum;
-}
 
 }  // namespace
 
@@ -78,14 +71,7 @@ double WitnessProgram<D>::change(std::uint32_t site) const {
 template <int D>
 void WitnessProgram<D>::add(const SiteTuple& simplex) {
   Witness witness{simplex, sites_.x[simplex[0]], 1.0, 0, {}};
-  double square = 0.0;
-  for (const std::uint32_t a : simplex) {
-    for (const std::uint32_t b : simplex) {
-      Vector along = sites_.x[a];
-      for (std::size_t axis = 0; axis < D; ++axis) along[axis] -= sites_.x[b][axis];
-      square = std::max(square, dot<D>(along, along));
-    }
-  }
+  const double square = sites_.square_diameter(simplex);
   if (square > 0.0) witness.diameter = std::sqrt(square);
   witness.first_variable = program_.add_variable(-LinearProgram::kInfinity, 0.0);
   for (int i = 0; i < D; ++i) (void)program_.add_variable(-LinearProgram::kInfinity, 0.0);
@@ -127,7 +113,7 @@ void WitnessProgram<D>::add_condition(std::size_t number, std::uint32_t site, bo
     if (y[axis] != 0.0) terms.push_back({witness.first_variable + axis, -2.0 * y[axis]});
   }
   terms.push_back({witness.first_variable + D, 1.0});
-  const double least = sites_.weight[site] / square - dot<D>(y, y);
+  const double least = sites_.weight[site] / square - inner(y, y);
   if (is_corner) {
     program_.add_condition(least, least, terms);
   } else {
@@ -146,7 +132,7 @@ void WitnessProgram<D>::add_cut(std::size_t number, const Vector& at) {
   }
   terms.push_back({witness.first_variable + D, -1.0});
   const double alpha2 = *options_.alpha2 / (witness.diameter * witness.diameter);
-  program_.add_condition(-LinearProgram::kInfinity, alpha2 - options_.margin + dot<D>(at, at),
+  program_.add_condition(-LinearProgram::kInfinity, alpha2 - options_.margin + inner(at, at),
                          terms);
   witness_of_condition_.push_back(number);
 }
@@ -167,7 +153,7 @@ bool WitnessProgram<D>::add_violated(std::size_t number, const std::vector<doubl
   const double q = program_.value(witness.first_variable + D);
   const double square = witness.diameter * witness.diameter;
   bool is_violated = false;
-  if (options_.alpha2 && dot<D>(x, x) - q > *options_.alpha2 / square - options_.margin / 2) {
+  if (options_.alpha2 && inner(x, x) - q > *options_.alpha2 / square - options_.margin / 2) {
     add_cut(number, x);
     is_violated = true;
   }
@@ -176,7 +162,7 @@ bool WitnessProgram<D>::add_violated(std::size_t number, const std::vector<doubl
     if (options_.counted != nullptr && !(*options_.counted)[site]) continue;
     const Vector y = in_frame(witness, site);
     const double above =
-        dot<D>(y, y) - (sites_.weight[site] + changes[site]) / square - 2.0 * dot<D>(x, y) + q;
+        inner(y, y) - (sites_.weight[site] + changes[site]) / square - 2.0 * inner(x, y) + q;
     if (above >= options_.margin / 2) continue;
     const auto is_in = [&](const auto& list) {
       return std::find(list.begin(), list.end(), site) != list.end();
