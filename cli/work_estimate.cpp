@@ -21,6 +21,7 @@ constexpr std::array kCosts = {
     Cost{Stage::measuring, "measuring", 7000, 4000},
     Cost{Stage::locating, "locating", 2000, 700},
     Cost{Stage::pairing, "pairing", 5000, 900},
+    Cost{Stage::finding_weights, "finding weights", 8500, 1600},  // two filtrations at least
     Cost{Stage::writing_filter, "writing", 7700, 1550},
     Cost{Stage::writing_shape, "writing", 400, 200},
     Cost{Stage::writing_page, "writing", 30000, 5000},

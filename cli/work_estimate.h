@@ -16,6 +16,7 @@ enum class Stage {
   measuring,
   locating,
   pairing,
+  finding_weights,
   writing_filter,
   writing_shape,
   writing_page

@@ -127,8 +127,9 @@ void run(const EnforceOptions& options) {
     throw UsageError(
         "enforce --index: the spectrum changes with the weights; give --alpha2 or --alpha");
   }
-  Progress progress(options.input.progress, options.input.quiet,
-                    {Stage::reading, Stage::triangulation, Stage::filtration});
+  Progress progress(
+      options.input.progress, options.input.quiet,
+      {Stage::reading, Stage::triangulation, Stage::filtration, Stage::finding_weights});
   const Loaded input = load(options.input, progress);
   // What will be read back, so that what is verified is what is written.
   const orthoball::WeightedPoints points = orthoball::as_written(input.shapes.points());
@@ -137,6 +138,7 @@ void run(const EnforceOptions& options) {
                                 !options.input.no_limit, memory_of(options.input));
   Wanted wanted{{points, 0, list.rows, {}}, alpha2_of(options, input)};
   for (std::size_t i = 0; i < list.rows.size(); ++i) wanted.sites.part_of.push_back(i);
+  progress.begin(Stage::finding_weights);
   orthoball::EnforcedWeights weights = enforced(options, list, wanted);
   if (!weights.conflict.empty() && !options.add_sites) refuse(options, list, weights.conflict);
   if (!weights.conflict.empty()) {
@@ -148,6 +150,7 @@ void run(const EnforceOptions& options) {
                                   "the simplices");
     }
   }
+  progress.end();
   write_output(options.output, "",
                [&](orthoball::ByteSink& sink) { write_points_csv(sink, weights.points); });
   say_report(options, list, wanted, weights);
