@@ -204,6 +204,31 @@ def test_files_of_balls(given, tmp_path):
         assert balls.pdb() == (tmp_path / "areas.pdb").read_bytes()
 
 
+@pytest.mark.parametrize("name", ["c60.xyz", "linked_tori.csv", "figure_eight.csv"])
+def test_locate(samples, tmp_path, name):
+    pytest.importorskip("pandas")
+    shapes = AlphaShapes(orthoball.read(samples / name))
+    queries = np.concatenate([shapes.points[:20] + 0.125, [shapes.points[0] * 100 + 1]])
+    header = ",".join("xyz"[: shapes.dimension])
+    np.savetxt(tmp_path / "query.csv", queries, "%.17g", ",", header=header, comments="")
+    arguments = [PROGRAM, "locate", samples / name, tmp_path / "query.csv", "--json", "--quiet"]
+    rows = json.loads(subprocess.run(arguments, capture_output=True, check=True).stdout)
+    table = shapes.shape().locate(queries).to_pandas().reset_index()
+    assert list(table) == list(rows[0])
+    for ours, theirs in zip(table.to_dict("records"), rows, strict=True):
+        for column, value in theirs.items():
+            if value is None:
+                assert ours[column] is None or ours[column] is pandas_na(), column
+            else:
+                assert ours[column] == value, column
+
+
+def pandas_na():
+    import pandas
+
+    return pandas.NA
+
+
 @pytest.mark.skipif(not orthoball.has_linear_solver(), reason="the solver CLP is not installed")
 def test_enforce(samples, tmp_path):
     (tmp_path / "hedge.txt").write_text("14 5\n5 9\n2 17\n")
