@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from functools import cached_property
 from typing import Any
@@ -495,7 +496,11 @@ class AlphaShapes:
             )
         for one in self._candidates:
             if one.name == name and one.index is not None:
-                return NotableAlpha(*one[:5])  # type: ignore[arg-type]
+                alpha2 = one.alpha2
+                if alpha2 is None:  # beyond the range of doubles
+                    alpha2 = float(self.spectrum[one.index - 1])
+                alpha = math.copysign(math.sqrt(abs(alpha2)), alpha2)
+                return NotableAlpha(one.name, one.reason, one.index, alpha2, alpha)
         raise _core.InputError(
             f"alpha2 {text!r}: these points have no such alpha; {_core.scale_text(self._core)}"
         )

@@ -279,7 +279,7 @@ class Balls:
             title,
         )
 
-    def to_bytes(self, what: str, format: str) -> bytes:
+    def to_bytes(self, what: str, format: str, *, tolerance: float = 0.02) -> bytes:
         """What `orthoball measure` and `orthoball pockets` write.
 
         Args:
@@ -288,16 +288,17 @@ class Balls:
             format: "csv" or "json"; of voids and pockets also "ply", their boundaries, and of
                 molecules in space "pml" or "cxc", a script in which PyMOL or ChimeraX shows them; of
                 cells also "vtu" or "obj".
+            tolerance: of cells in "vtu" and "obj", as in `power_cells`.
 
         Names of chains, residues and atoms are those of the Reading that the shapes are of. Raises
         InputError for another name or format, and for tables of residues where none are named.
         """
-        return self._file(what, format, None)
+        return self._file(what, format, None, tolerance)
 
-    def write(self, what: str, path: str | os.PathLike[str]) -> None:
+    def write(self, what: str, path: str | os.PathLike[str], *, tolerance: float = 0.02) -> None:
         """Writes what `to_bytes` gives to a file, the format told by its name. The file appears whole
         or not at all."""
-        write_whole(path, self._file(what, ending_of(path), os.fspath(path)))
+        write_whole(path, self._file(what, ending_of(path), os.fspath(path), tolerance))
 
     def to_pandas(self, what: str = "per_atom") -> Any:
         """One of the tables of `to_bytes` as a pandas DataFrame."""
@@ -327,7 +328,7 @@ class Balls:
         """Writes what `pdb` gives to a file, which appears whole or not at all."""
         write_whole(path, self.pdb(values))
 
-    def _file(self, what: str, format: str, path: str | None) -> bytes:
+    def _file(self, what: str, format: str, path: str | None, tolerance: float) -> bytes:
         shapes = self._shapes
         core, reading, threads = shapes._core, shapes._reading, shapes._threads
         if what in _TABLES:
@@ -335,7 +336,7 @@ class Balls:
             return _core.ball_file(core, union, reading, what, format)
         if what == "cells":
             union = self._measured(True, False)
-            return _core.power_cell_file(core, union, None, 0.02, reading, format, threads)
+            return _core.power_cell_file(core, union, None, tolerance, reading, format, threads)
         if what not in ("voids", "pockets"):
             raise fault(
                 f"{what!r} is no table; there are {', '.join(_TABLES)}, voids, pockets, cells"

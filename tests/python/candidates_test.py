@@ -110,3 +110,11 @@ def test_an_alpha_that_there_is_not_is_told_with_the_scale(tori, plane):
         tori.shape("auto", alpha=1.0)
     with pytest.raises(InputError, match="there are no sites"):
         AlphaShapes(np.zeros((0, 2))).shape("auto:solid")
+
+
+def test_alphas_beyond_the_range_of_doubles_have_names_too():
+    shapes = AlphaShapes([[0, 0], [1e200, 0], [0, 1e200], [1e200, 1.5e200]])
+    one = next(one for one in shapes.alpha_candidates() if one.name == "connected")
+    assert one.alpha2 is None and one.index is not None
+    shape = shapes.shape("auto:connected")
+    assert (shape.index, shape.alpha2) == (one.index, np.inf)
