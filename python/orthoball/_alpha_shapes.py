@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 from functools import cached_property
 from typing import Any
@@ -14,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._arrays import as_float64, as_points
 from ._balls import Balls, Void
-from ._candidates import AlphaCandidates
+from ._candidates import AlphaCandidates, alphas, named_alpha
 from ._files import ending_of, write_whole
 from ._homology import Diagrams
 from ._points import density_neighbours, sites_of
@@ -222,7 +221,7 @@ class AlphaShapes:
 
         `alpha2` and `alpha` of the result are those of the indices.
         """
-        indices = self._alphas(alpha2)[0] if index is None else index
+        indices = alphas(self, alpha2)[0] if index is None else index
         wanted = as_float64(indices, "index").ravel()
         if ((wanted < 0) | (wanted > len(self.spectrum)) | (wanted != np.floor(wanted))).any():
             raise _core.InputError(f"an index is a whole number from 0 to {len(self.spectrum)}")
@@ -238,12 +237,12 @@ class AlphaShapes:
 
     def ball_signatures(self, alpha2: ArrayLike) -> Signatures:
         """Volume, area, Betti and Euler numbers of the unions of balls at some alpha2, length^2."""
-        core, threads, alphas = self._core, self._threads, self._alphas(alpha2)
+        core, threads, taken = self._core, self._threads, alphas(self, alpha2)
 
         def file(format: str) -> bytes:
-            return _core.ball_signature_file(core, *alphas, format, threads)
+            return _core.ball_signature_file(core, *taken, format, threads)
 
-        return Signatures(_core.ball_signatures(core, *alphas, threads), file)
+        return Signatures(_core.ball_signatures(core, *taken, threads), file)
 
     def betti(
         self,
@@ -464,7 +463,7 @@ class AlphaShapes:
         """The index and alpha2 of the one form that is given."""
         if isinstance(alpha2, str):
             if (alpha, inverse_alpha, index) == (None, None, None):
-                notable = self._named(alpha2)
+                notable = named_alpha(self, alpha2)
                 return notable.index or 0, notable.alpha2
             alpha2 = 0.0  # to be refused
         return self._core.chosen(alpha2, alpha, inverse_alpha, index)
@@ -480,46 +479,12 @@ class AlphaShapes:
         if (alpha, inverse_alpha, index) != (None, None, None):
             return None
         if isinstance(alpha2, str):
-            return self._named(alpha2)
+            return named_alpha(self, alpha2)
         return self.automatic_alpha() if alpha2 is None else None
-
-    def _named(self, text: str) -> NotableAlpha:
-        """The alpha of "auto" or "auto:NAME"."""
-        word, _, name = text.partition(":")
-        if text == "auto":
-            return self.automatic_alpha()
-        names = _core.candidate_names(self.dimension)
-        if word != "auto" or name not in names:
-            raise _core.InputError(
-                f'alpha2 is {text!r}; it must be a number, "auto" or "auto:NAME", NAME one of '
-                f"{', '.join(names)}"
-            )
-        for one in self._candidates:
-            if one.name == name and one.index is not None:
-                alpha2 = one.alpha2
-                if alpha2 is None:  # beyond the range of doubles
-                    alpha2 = float(self.spectrum[one.index - 1])
-                alpha = math.copysign(math.sqrt(abs(alpha2)), alpha2)
-                return NotableAlpha(one.name, one.reason, one.index, alpha2, alpha)
-        raise _core.InputError(
-            f"alpha2 {text!r}: these points have no such alpha; {_core.scale_text(self._core)}"
-        )
 
     @cached_property
     def _candidates(self) -> AlphaCandidates:
         return self.alpha_candidates()
-
-    def _alphas(self, alpha2: Any) -> tuple[NDArray[np.uint32], NDArray[np.float64]]:
-        """Indices and alpha2 of some alpha2, of which each may be the name of one."""
-        given = [alpha2] if isinstance(alpha2, str) else alpha2
-        if isinstance(given, (list, tuple)) and any(isinstance(x, str) for x in given):
-            chosen = [self._chosen(x, None, None, None) for x in given]
-            return (
-                np.array([index for index, _ in chosen], dtype=np.uint32),
-                np.array([taken for _, taken in chosen], dtype=np.float64),
-            )
-        array = np.atleast_1d(as_float64(given, "alpha2")).ravel()
-        return self._core.indices(array), array
 
     def _picture_text(self, title: str | None) -> tuple[str, str, str]:
         """Title, subtitle and unit of pictures."""

@@ -4,10 +4,19 @@
 from __future__ import annotations
 
 import json
-from typing import Any, NamedTuple
+import math
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from . import _core
+from ._arrays import as_float64, fault
 from ._files import Written
+from ._tables import NotableAlpha
+
+if TYPE_CHECKING:
+    from ._alpha_shapes import AlphaShapes
 
 
 class AlphaCandidate(NamedTuple):
@@ -81,3 +90,38 @@ def _candidate(row: dict[str, Any]) -> AlphaCandidate:
     betti = [row[name] for name in row if name.startswith("betti_")]
     columns = {name: row[name] for name in AlphaCandidate._fields if name != "betti"}
     return AlphaCandidate(betti=None if row["index"] is None else tuple(betti), **columns)
+
+
+def named_alpha(shapes: AlphaShapes, text: str) -> NotableAlpha:
+    """The alpha of "auto" or "auto:NAME"."""
+    if text == "auto":
+        return shapes.automatic_alpha()
+    word, _, name = text.partition(":")
+    names = _core.candidate_names(shapes.dimension)
+    if word != "auto" or name not in names:
+        raise fault(
+            f'alpha2 is {text!r}; it must be a number, "auto" or "auto:NAME", NAME one of '
+            f"{', '.join(names)}"
+        )
+    for one in shapes._candidates:
+        if one.name == name and one.index is not None:
+            alpha2 = one.alpha2
+            if alpha2 is None:  # beyond the range of doubles
+                alpha2 = float(shapes.spectrum[one.index - 1])
+            alpha = math.copysign(math.sqrt(abs(alpha2)), alpha2)
+            return NotableAlpha(one.name, one.reason, one.index, alpha2, alpha)
+    scale = _core.scale_text(shapes._core)
+    raise fault(f"alpha2 {text!r}: these points have no such alpha; {scale}")
+
+
+def alphas(shapes: AlphaShapes, alpha2: Any) -> tuple[NDArray[np.uint32], NDArray[np.float64]]:
+    """Indices and alpha2 of some alpha2, of which each may be the name of one."""
+    given = [alpha2] if isinstance(alpha2, str) else alpha2
+    if isinstance(given, (list, tuple)) and any(isinstance(x, str) for x in given):
+        chosen = [shapes._chosen(x, None, None, None) for x in given]
+        return (
+            np.array([index for index, _ in chosen], dtype=np.uint32),
+            np.array([taken for _, taken in chosen], dtype=np.float64),
+        )
+    array = np.atleast_1d(as_float64(given, "alpha2")).ravel()
+    return shapes._core.indices(array), array
