@@ -123,21 +123,8 @@ void add_alpha_options(CLI::App& command, AlphaOptions& options, bool takes_list
 }
 
 std::string scale_text(const Loaded& input) {
-  return with_filtration(input, [](const auto& filtration) -> std::string {
-    const std::uint32_t size = filtration.spectrum_size();
-    if (size == 0) return "there are no sites";
-    const auto at = [&](std::uint32_t index) {
-      return fmt::format("{}", filtration.alpha2(index));
-    };
-    std::string text =
-        fmt::format("the first simplex enters at alpha2 {}, the last at {}", at(1), at(size));
-    for (const auto& notable : orthoball::notable_alphas(filtration)) {
-      if (!notable.index || (notable.name != "connected" && notable.name != "solid")) continue;
-      text += fmt::format("; {} at {}", notable.name == "solid" ? "solid" : "in one piece",
-                          at(*notable.index));
-    }
-    return text;
-  });
+  return with_filtration(input,
+                         [](const auto& filtration) { return orthoball::scale_text(filtration); });
 }
 
 ChosenAlpha alpha_at(const Loaded& input, std::uint32_t index) {

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "orthoball/error.h"
 #include "orthoball/input/probe_radius.h"
 #include "orthoball/input/read.h"
 #include "orthoball/output/byte_sink.h"
@@ -55,11 +54,6 @@ double inverse_square(double x) {
   if (!std::isnormal(square) || !std::isnormal(quotient)) return std::copysign(quotient, x);
   const double error = std::fma(-quotient, square, 1.0) - quotient * rest;
   return std::copysign(quotient + error * quotient, x);
-}
-
-[[noreturn]] void refuse(const std::string& message) {
-  using orthoball::InputError;
-  throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow, message);
 }
 
 struct AlphaForms {

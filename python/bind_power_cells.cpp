@@ -3,29 +3,23 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <algorithm>
 #include <array>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "orthoball/error.h"
 #include "orthoball/output/union_figure.h"
 #include "orthoball/queries/planar_union.h"
 #include "orthoball/queries/power_cells.h"
 #include "python/arrays.h"
+#include "python/box.h"
 #include "python/module.h"
+#include "python/written.h"
 
 using orthoball::AlphaShapes;
 using orthoball::Filtration;
-using orthoball::InputError;
 
 namespace {
-
-[[noreturn]] void refuse(const std::string& message) {
-  throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow, message);
-}
 
 // The surface of a cell: its corners (k, D), and of every facet the neighbour and its corners.
 template <int D>
@@ -67,8 +61,6 @@ nb::dict listed(std::vector<orthoball::PowerCell<D>> cells, bool surfaces) {
   return result;
 }
 
-using MaybeBox = std::optional<std::vector<double>>;
-
 // Cut by a box: lower corner, then upper; by default that around the balls.
 nb::dict power_cells(const AlphaShapes& shapes, const MaybeBox& typed, bool surfaces,
                      std::optional<unsigned> threads) {
@@ -76,14 +68,7 @@ nb::dict power_cells(const AlphaShapes& shapes, const MaybeBox& typed, bool surf
       [&]<int D>(const Filtration<D>& filtration) {
         auto cells = [&] {
           const nb::gil_scoped_release released;
-          orthoball::Box<D> box = orthoball::box_around(filtration, 0.0);
-          if (typed) {
-            if (typed->size() != 2 * std::size_t{D})
-              refuse("a box has two corners of the sites' dimension");
-            std::copy_n(typed->begin(), D, box.lower.begin());
-            std::copy_n(typed->begin() + D, D, box.upper.begin());
-          }
-          return orthoball::power_cells<D>(filtration, box,
+          return orthoball::power_cells<D>(filtration, box_of<D>(filtration, typed),
                                            {.surfaces = surfaces, .threads = threads_of(threads)});
         }();
         return listed<D>(std::move(cells), surfaces);
@@ -158,15 +143,9 @@ nb::bytes figure(const AlphaShapes& shapes, std::uint32_t index, double alpha2,
       refuse("\"" + panel + "\" is no panel; they are disks, cells and complex");
   }
   const Filtration<2>& filtration = plane(shapes);
-  std::ostringstream stream;
-  {
-    const nb::gil_scoped_release released;
-    orthoball::ByteSink sink(stream, "0");
+  return written("0", [&](orthoball::ByteSink& sink) {
     write_union_figure(sink, filtration, shapes.points(), options);
-    sink.flush();
-  }
-  const std::string text = stream.str();
-  return nb::bytes(text.data(), text.size());
+  });
 }
 
 }  // namespace

@@ -4,11 +4,9 @@
 
 #include <array>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "orthoball/error.h"
 #include "orthoball/output/mesh.h"
 #include "orthoball/output/planar_shape.h"
 #include "orthoball/output/polygons.h"
@@ -18,20 +16,16 @@
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/one_shape.h"
+#include "python/written.h"
 
 using orthoball::AlphaComplex;
 using orthoball::AlphaShapes;
 using orthoball::Filtration;
-using orthoball::InputError;
 using orthoball::Role;
 using orthoball::SimplexId;
 using orthoball::SiteId;
 
 namespace {
-
-[[noreturn]] void refuse(const std::string& message) {
-  throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow, message);
-}
 
 OneShape edited(const AlphaShapes& shapes, std::uint32_t index, double alpha2,
                 const orthoball::ShapeEdits& edits) {
@@ -119,23 +113,23 @@ nb::list polygons(const OneShape& shape) {
 
 // A boundary as a file of some format would hold it.
 nb::bytes file_bytes(const OneShape& shape, const std::string& format, bool roles) {
-  std::ostringstream stream;
-  orthoball::ByteSink sink(stream, "null");
   if (format == "geojson" || format == "svg") {
     const AlphaComplex<2>& complex = plane(shape);
-    const nb::gil_scoped_release released;
-    const orthoball::PlanarShapeOptions options{shape.alpha2, roles};
-    if (format == "geojson") write_geojson(sink, complex, shape.points(), options);
-    if (format == "svg") write_shape_svg(sink, complex, shape.points(), options);
-  } else if (const auto mesh_format = orthoball::mesh_format(format)) {
-    write_mesh(sink, mesh_of(shape), {*mesh_format, roles, shape.alpha2});
-  } else {
+    return written("null", [&](orthoball::ByteSink& sink) {
+      const orthoball::PlanarShapeOptions options{shape.alpha2, roles};
+      if (format == "geojson") write_geojson(sink, complex, shape.points(), options);
+      if (format == "svg") write_shape_svg(sink, complex, shape.points(), options);
+    });
+  }
+  const auto mesh_format = orthoball::mesh_format(format);
+  if (!mesh_format) {
     refuse("\"" + format + "\" is no format of shapes; they are ply, obj, off, stl, vtu, glb, " +
            "and in the plane geojson and svg");
   }
-  sink.flush();
-  const std::string text = stream.str();
-  return nb::bytes(text.data(), text.size());
+  const orthoball::ShapeMesh mesh = mesh_of(shape);
+  return written("null", [&](orthoball::ByteSink& sink) {
+    write_mesh(sink, mesh, {*mesh_format, roles, shape.alpha2});
+  });
 }
 
 // Volume, area and Betti numbers of the whole.

@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "orthoball/filtration/alpha.h"
+#include "orthoball/output/ball_signature_tables.h"
+#include "orthoball/output/signature_table.h"
 #include "orthoball/signatures/ball_signature.h"
 #include "orthoball/signatures/notable_alphas.h"
 #include "orthoball/signatures/signature.h"
 #include "python/arrays.h"
 #include "python/module.h"
+#include "python/plot_axis.h"
+#include "python/written.h"
 
 using orthoball::AlphaShapes;
 using orthoball::Filtration;
@@ -96,19 +103,28 @@ nb::dict signatures(const AlphaShapes& shapes,
   return as_dict(std::move(columns), shapes.dimension());
 }
 
-nb::dict ball_signatures(const AlphaShapes& shapes, const Given<double, 1>& alpha2,
-                         std::optional<unsigned> threads) {
+// The unions at some alpha2, each with the index of its dual complex.
+std::vector<orthoball::BallAlpha> ball_alphas(const Given<std::uint32_t, 1>& indices,
+                                              const Given<double, 1>& alpha2) {
+  if (indices.size() != alpha2.size()) refuse("there must be as many indices as alpha2");
+  std::vector<orthoball::BallAlpha> wanted;
+  for (std::size_t i = 0; i < alpha2.size(); ++i) {
+    wanted.push_back({indices.data()[i], alpha2.data()[i]});
+  }
+  return wanted;
+}
+
+nb::dict ball_signatures(const AlphaShapes& shapes, const Given<std::uint32_t, 1>& indices,
+                         const Given<double, 1>& alpha2_of, std::optional<unsigned> threads) {
+  const auto wanted = ball_alphas(indices, alpha2_of);
   std::vector<std::uint32_t> index, betti;
-  std::vector<double> alpha2s, volume, area;
+  std::vector<double> alpha2s, alphas, volume, area;
   std::vector<std::int64_t> euler;
   without_gil(shapes, [&]<int D>(const Filtration<D>& filtration) {
-    std::vector<orthoball::BallAlpha> wanted;
-    for (std::size_t i = 0; i < alpha2.size(); ++i) {
-      wanted.push_back({filtration.index(alpha2.data()[i]), alpha2.data()[i]});
-    }
     for (const auto& s : orthoball::ball_signatures<D>(filtration, wanted, threads_of(threads))) {
       index.push_back(s.index);
       alpha2s.push_back(s.alpha2);
+      alphas.push_back(orthoball::alpha_from_alpha2(s.alpha2));
       betti.insert(betti.end(), s.betti.begin(), s.betti.end());
       euler.push_back(s.euler);
       volume.push_back(s.volume);
@@ -119,12 +135,97 @@ nb::dict ball_signatures(const AlphaShapes& shapes, const Given<double, 1>& alph
   nb::dict result;
   result["index"] = owned<std::uint32_t>(std::move(index));
   result["alpha2"] = owned<double>(std::move(alpha2s));
+  result["alpha"] = owned<double>(std::move(alphas));
   result["betti"] =
       owned<std::uint32_t>(std::move(betti), {size, static_cast<std::size_t>(shapes.dimension())});
   result["euler"] = owned<std::int64_t>(std::move(euler));
   result["volume"] = owned<double>(std::move(volume));
   result["area"] = owned<double>(std::move(area));
   return result;
+}
+
+void check_table_format(const std::string& format) {
+  if (format == "csv" || format == "json" || format == "npz") return;
+  refuse_format(format, "csv, json and npz");
+}
+
+nb::bytes signature_file(const AlphaShapes& shapes,
+                         const std::optional<Given<std::uint32_t, 1>>& indices,
+                         const std::string& format, std::optional<unsigned> threads) {
+  using orthoball::SignatureFormat;
+  check_table_format(format);
+  const auto wanted_format = format == "csv"    ? SignatureFormat::csv
+                             : format == "json" ? SignatureFormat::json
+                                                : SignatureFormat::npz;
+  return written(format == "json" ? "null" : "", [&](orthoball::ByteSink& sink) {
+    std::visit(
+        [&]<int D>(const Filtration<D>& filtration) {
+          orthoball::SignatureTable<D> table(sink, wanted_format);
+          const auto add = [&](const Signature<D>& s) {
+            table.add({s, orthoball::alpha_from_alpha2(s.alpha2)});
+          };
+          if (indices) {
+            const std::span wanted(indices->data(), indices->size());
+            for (const auto& s : orthoball::signatures<D>(filtration, wanted, threads_of(threads)))
+              add(s);
+          } else {
+            orthoball::scan_signatures<D>(filtration, add, threads_of(threads));
+          }
+          table.finish();
+        },
+        shapes.filtration());
+  });
+}
+
+nb::bytes ball_signature_file(const AlphaShapes& shapes, const Given<std::uint32_t, 1>& indices,
+                              const Given<double, 1>& alpha2, const std::string& format,
+                              std::optional<unsigned> threads) {
+  check_table_format(format);
+  const auto wanted = ball_alphas(indices, alpha2);
+  return written(format == "json" ? "null" : "", [&](orthoball::ByteSink& sink) {
+    std::visit(
+        [&]<int D>(const Filtration<D>& filtration) {
+          std::vector<orthoball::BallSignatureRow<D>> rows;
+          for (const auto& s :
+               orthoball::ball_signatures<D>(filtration, wanted, threads_of(threads))) {
+            rows.push_back({s, orthoball::alpha_from_alpha2(s.alpha2)});
+          }
+          if (format == "csv") write_ball_signatures_csv<D>(sink, rows);
+          if (format == "json") write_ball_signatures_json<D>(sink, rows);
+          if (format == "npz") write_ball_signatures_npz<D>(sink, rows);
+        },
+        shapes.filtration());
+  });
+}
+
+nb::bytes signature_figure(const AlphaShapes& shapes, const std::string& axis,
+                           std::optional<std::pair<double, double>> range, const std::string& title,
+                           const std::string& subtitle, const std::string& unit,
+                           std::optional<unsigned> threads) {
+  if (range && !(range->first < range->second)) {
+    refuse("the range is two numbers, the first less than the second");
+  }
+  const orthoball::PlotOptions options{.title = title,
+                                       .subtitle = subtitle,
+                                       .unit = unit,
+                                       .axis = plot_axis(axis),
+                                       .range = range,
+                                       .marks = {}};
+  return written("0", [&](orthoball::ByteSink& sink) {
+    std::visit(
+        [&]<int D>(const Filtration<D>& filtration) {
+          orthoball::PlotOptions marked = options;
+          for (const auto& notable : orthoball::notable_alphas(filtration)) {
+            if (!notable.index) continue;
+            marked.marks.push_back({notable.name, *notable.index, notable.alpha2});
+          }
+          orthoball::SignaturePlot<D> plot(filtration, std::move(marked));
+          orthoball::scan_signatures<D>(
+              filtration, [&](const Signature<D>& s) { plot.add(s); }, threads_of(threads));
+          plot.write(sink);
+        },
+        shapes.filtration());
+  });
 }
 
 nb::tuple as_tuple(const orthoball::NotableAlpha& notable) {
@@ -140,11 +241,7 @@ nb::list notable_alphas(const AlphaShapes& shapes) {
 }
 
 nb::tuple automatic_alpha(const AlphaShapes& shapes, bool is_molecule) {
-  using orthoball::WeightMeaning;
-  const bool has_weights = shapes.points().weight_kind() != orthoball::WeightKind::none;
-  const auto meaning = is_molecule   ? WeightMeaning::molecule_radii
-                       : has_weights ? WeightMeaning::given
-                                     : WeightMeaning::none;
+  const orthoball::WeightMeaning meaning = meaning_of_weights(shapes, is_molecule);
   return as_tuple(without_gil(shapes, [&](const auto& f) {
     return orthoball::automatic_alpha(f, orthoball::notable_alphas(f), meaning);
   }));
@@ -156,8 +253,18 @@ void bind_signatures(nb::module_& module) {
   module.def("signatures", &signatures, nb::arg("shapes"), nb::arg("indices").none(),
              nb::arg("threads").none(),
              "Columns of the signatures at some indices, or at all from 1 on.");
-  module.def("ball_signatures", &ball_signatures, nb::arg("shapes"), nb::arg("alpha2"),
-             nb::arg("threads").none(), "Columns of the unions of balls at some alpha2.");
+  module.def("ball_signatures", &ball_signatures, nb::arg("shapes"), nb::arg("indices"),
+             nb::arg("alpha2"), nb::arg("threads").none(),
+             "Columns of the unions of balls at some alpha2.");
+  module.def("signature_file", &signature_file, nb::arg("shapes"), nb::arg("indices").none(),
+             nb::arg("format"), nb::arg("threads").none(),
+             "Signatures as a table: csv, json or npz.");
+  module.def("ball_signature_file", &ball_signature_file, nb::arg("shapes"), nb::arg("indices"),
+             nb::arg("alpha2"), nb::arg("format"), nb::arg("threads").none(),
+             "Unions of balls as a table: csv, json or npz.");
+  module.def("signature_figure", &signature_figure, nb::arg("shapes"), nb::arg("axis"),
+             nb::arg("range").none(), nb::arg("title"), nb::arg("subtitle"), nb::arg("unit"),
+             nb::arg("threads").none(), "Signatures as SVG.");
   module.def("notable_alphas", &notable_alphas, nb::arg("shapes"),
              "A tuple (name, reason, index or None, alpha2, alpha) for each.");
   module.def("automatic_alpha", &automatic_alpha, nb::arg("shapes"), nb::arg("is_molecule"),

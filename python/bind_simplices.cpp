@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <variant>
 
-#include "orthoball/error.h"
+#include "orthoball/filtration/filter.h"
 #include "orthoball/filtration/filter_columns.h"
+#include "orthoball/output/tables.h"
 #include "orthoball/raw_vector.h"
 #include "python/arrays.h"
 #include "python/module.h"
+#include "python/written.h"
 
 using orthoball::AlphaShapes;
 using orthoball::Filtration;
@@ -36,10 +40,8 @@ using Indices = orthoball::RawVector<std::uint32_t>;
 
 void check_dimension(const AlphaShapes& shapes, int dimension) {
   if (dimension >= 0 && dimension <= shapes.dimension()) return;
-  using orthoball::InputError;
-  throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
-                   fmt::format("there are no simplices of dimension {}; dimensions are 0 to {}",
-                               dimension, shapes.dimension()));
+  refuse(fmt::format("there are no simplices of dimension {}; dimensions are 0 to {}", dimension,
+                     shapes.dimension()));
 }
 
 template <int D>
@@ -73,13 +75,34 @@ nb::tuple simplices(const Filtration<D>& filtration, int dimension, nb::handle o
 
 // The columns of a filter; of shapes that outlive them.
 struct FilterArrays {
+  const AlphaShapes* shapes;
+  std::uint32_t index;
   std::variant<orthoball::FilterColumns<2>, orthoball::FilterColumns<3>> columns;
 };
 
 FilterArrays filter_arrays(const AlphaShapes& shapes, std::uint32_t index,
                            std::optional<unsigned> threads) {
   return without_gil(shapes, [&]<int D>(const Filtration<D>& filtration) {
-    return FilterArrays{orthoball::FilterColumns<D>(filtration, index, threads_of(threads))};
+    return FilterArrays{&shapes, index,
+                        orthoball::FilterColumns<D>(filtration, index, threads_of(threads))};
+  });
+}
+
+nb::bytes filter_file(const FilterArrays& self, const std::string& format,
+                      std::optional<unsigned> threads) {
+  if (format != "csv" && format != "json" && format != "npz") {
+    refuse_format(format, "csv, json and npz");
+  }
+  return written(format == "json" ? "null" : "", [&](orthoball::ByteSink& sink) {
+    std::visit(
+        [&]<int D>(const Filtration<D>& filtration) {
+          const orthoball::Filter<D> filter(filtration, threads_of(threads));
+          const std::size_t count = filter.complex_size(self.index);
+          if (format == "csv") write_filter_csv(sink, filter, count);
+          if (format == "json") write_filter_json_lines(sink, filter, count);
+          if (format == "npz") write_filter_npz(sink, filter, count);
+        },
+        self.shapes->filtration());
   });
 }
 
@@ -150,7 +173,9 @@ void bind_filter(nb::module_& module) {
             return made_column<std::uint32_t>(
                 self, [&](const auto& columns) { return columns.interior(threads_of(threads)); });
           },
-          nb::arg("threads").none(), "(n,) uint32.");
+          nb::arg("threads").none(), "(n,) uint32.")
+      .def("file", &filter_file, nb::arg("format"), nb::arg("threads").none(),
+           "As a table: csv, json (an object a line) or npz.");
   module.def("filtration", &filter_arrays, nb::arg("shapes"), nb::arg("index"),
              nb::arg("threads").none(), nb::keep_alive<0, 1>(),
              "The complex at an index in filter order.");

@@ -4,13 +4,13 @@
 
 #include <filesystem>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 
 #include "orthoball/input/read.h"
 #include "orthoball/output/page.h"
 #include "python/module.h"
+#include "python/written.h"
 
 using orthoball::AlphaShapes;
 using orthoball::Reading;
@@ -23,7 +23,6 @@ namespace {
 nb::bytes page(const AlphaShapes& shapes, const Reading* reading, bool is_molecule,
                const nb::bytes& viewer, std::uint32_t index, double alpha2,
                const std::string& chosen_because, std::optional<unsigned> threads) {
-  using orthoball::WeightMeaning;
   const bool has_weights = shapes.points().weight_kind() != orthoball::WeightKind::none;
   const orthoball::SnapshotFacts facts{
       .source = reading ? std::filesystem::path(reading->file).filename().string() : "points",
@@ -31,21 +30,19 @@ nb::bytes page(const AlphaShapes& shapes, const Reading* reading, bool is_molecu
       .radii = reading       ? reading->radii
                : has_weights ? "given"
                              : "none",
-      .weights = !has_weights  ? WeightMeaning::none
-                 : is_molecule ? WeightMeaning::molecule_radii
-                               : WeightMeaning::given,
+      .weights = meaning_of_weights(shapes, is_molecule),
       .index = index,
       .alpha2 = alpha2,
       .chosen_because = chosen_because};
   const std::string_view bytes(viewer.c_str(), viewer.size());
-  std::ostringstream stream;
-  without_gil(shapes, [&](const auto& filtration) {
-    orthoball::ByteSink sink(stream, "");
-    write_page(sink, bytes, filtration, shapes.points(),
-               reading ? reading->labels : orthoball::SiteLabels(), facts, threads_of(threads));
+  return written("", [&](orthoball::ByteSink& sink) {
+    std::visit(
+        [&](const auto& filtration) {
+          write_page(sink, bytes, filtration, shapes.points(), labels_of(reading), facts,
+                     threads_of(threads));
+        },
+        shapes.filtration());
   });
-  const std::string text = stream.str();
-  return nb::bytes(text.data(), text.size());
 }
 
 }  // namespace

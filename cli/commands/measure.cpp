@@ -109,19 +109,10 @@ void write_pictures(const MeasureOptions& options, const Loaded& input,
     warn(losses.values, "area", " beyond what a B-factor can be; 999.99 stands for it");
     warn(losses.labels, "label", " longer than its columns; the rest is left out");
   }
-  Regions regions{"void", options.voids_of};
-  for (const orthoball::Void<D>& hole : measured.voids) {
-    Region& region = regions.all.emplace_back(
-        Region{"void", hole.volume, hole.area, hole.cells, hole.lining, {}});
-    if constexpr (D == 3) {
-      if (!(hole.largest_ball_radius > 0.0)) continue;
-      region.largest = {hole.largest_ball_centre, hole.largest_ball_radius};
-    }
-  }
-  write_region_mesh<D>(options.mesh, input, measured.chosen, filtration, regions);
-  if constexpr (D == 3) {
-    write_region_script(options.script, input, measured.chosen, filtration, regions);
-  }
+  auto regions = regions_of(input, measured.chosen, "void", options.voids_of);
+  regions.all = orthoball::shown_regions<D>(measured.voids);
+  write_region_mesh<D>(options.mesh, input, filtration, regions);
+  if constexpr (D == 3) write_region_script(options.script, input, filtration, regions);
 }
 
 void check_residues(const MeasureOptions& options, const orthoball::Reading& reading) {

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -60,14 +59,7 @@ orthoball::PersistencePairs<D> chosen_pairs(const PersistenceOptions& options,
   }
   if (options.minimum_length.empty()) return pairs;
   const double least = alpha2_from_text("--minimum-length", options.minimum_length);
-  const auto is_short = [&](const orthoball::PersistencePair& pair) {
-    if (!pair.death.exists()) return false;
-    const double length = filtration.alpha2(filtration.enters(pair.death)) -
-                          filtration.alpha2(filtration.enters(pair.birth));
-    return length < least;
-  };
-  for (auto& of_dimension : pairs) std::erase_if(of_dimension, is_short);
-  return pairs;
+  return orthoball::pairs_of_length<D>(filtration, std::move(pairs), least);
 }
 
 template <int D>

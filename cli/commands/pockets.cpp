@@ -146,15 +146,6 @@ std::size_t listed(const Pockets& pockets) {
   return balls;
 }
 
-Regions regions_of(const Pockets& pockets) {
-  Regions regions{"pocket"};
-  for (const orthoball::Pocket& pocket : pockets) {
-    regions.all.push_back(
-        {pocket_kind(pocket), pocket.volume, pocket.area, pocket.cells, pocket.lining, {}});
-  }
-  return regions;
-}
-
 void run(const PocketsOptions& options) {
   const InputOptions& reads = options.balls.input;
   check_outputs(reads, options.output,
@@ -178,11 +169,10 @@ void run(const PocketsOptions& options) {
         if (format == "json")
           require_memory(reads, report_memory(listed(pockets), input), "the report");
         say_how(reads, {balls.at});
-        const Regions regions = regions_of(pockets);
-        write_region_mesh<D>(options.mesh, input, balls, filtration, regions);
-        if constexpr (D == 3) {
-          write_region_script(options.script, input, balls, filtration, regions);
-        }
+        auto regions = regions_of(input, balls, "pocket", "balls");
+        regions.all = orthoball::shown_regions(pockets);
+        write_region_mesh<D>(options.mesh, input, filtration, regions);
+        if constexpr (D == 3) write_region_script(options.script, input, filtration, regions);
         progress.end();
         missing += write_output(options.output, "", [&](orthoball::ByteSink& sink) {
           if (format == "csv") {

@@ -21,7 +21,7 @@
 #include "cli/usage_error.h"
 #include "orthoball/filtration/alpha.h"
 #include "orthoball/output/ball_signature_tables.h"
-#include "orthoball/output/tables.h"
+#include "orthoball/output/signature_table.h"
 #include "orthoball/signatures/ball_signature.h"
 #include "orthoball/signatures/signature.h"
 
@@ -47,34 +47,11 @@ std::string format_of(const SignaturesOptions& options) {
   return ending == "npz" || ending == "json" ? ending : "csv";
 }
 
-// Rows one by one in the format of the table; an archive needs them all.
-template <int D>
-class Table {
- public:
-  Table(orthoball::ByteSink& sink, std::string format) : sink_(sink), format_(std::move(format)) {
-    if (format_ == "csv") orthoball::write_signature_head_csv<D>(sink_);
-    if (format_ == "json") sink_.text("[");
-  }
-  void add(const orthoball::SignatureRow<D>& row) {
-    if (format_ == "npz") rows_.push_back(row);
-    if (format_ == "csv") orthoball::write_signature_csv(sink_, row);
-    if (format_ != "json") return;
-    sink_.text(is_first_ ? "\n" : ",\n");
-    is_first_ = false;
-    orthoball::write_signature_json(sink_, row);
-  }
-  void end() {
-    if (format_ == "npz") return orthoball::write_signatures_npz(sink_, rows_);
-    if (format_ == "json") sink_.text("\n]\n");
-    sink_.flush();
-  }
-
- private:
-  orthoball::ByteSink& sink_;
-  std::string format_;
-  bool is_first_ = true;
-  std::vector<orthoball::SignatureRow<D>> rows_;
-};
+orthoball::SignatureFormat signature_format(const std::string& name) {
+  return name == "csv"    ? orthoball::SignatureFormat::csv
+         : name == "json" ? orthoball::SignatureFormat::json
+                          : orthoball::SignatureFormat::npz;
+}
 
 // The values asked for: from the options, or N indices spread evenly over the spectrum with both
 // ends. None: every index.
@@ -125,7 +102,7 @@ void write_table(const SignaturesOptions& options, const Loaded& input, Progress
   }
   const std::size_t missing =
       write_output(options.output, format == "json" ? "null" : "", [&](orthoball::ByteSink& sink) {
-        Table<D> table(sink, format);
+        orthoball::SignatureTable<D> table(sink, signature_format(format));
         if (is_complete) {
           orthoball::scan_signatures<D>(
               filtration,
@@ -144,7 +121,7 @@ void write_table(const SignaturesOptions& options, const Loaded& input, Progress
             table.add({signatures[i], asked[i].alpha});
           }
         }
-        table.end();
+        table.finish();
       });
   warn_of_missing(options.input, missing, format == "json" ? "null" : "an empty field");
 }

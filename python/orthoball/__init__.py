@@ -13,12 +13,21 @@ everywhere. Arrays that are given out cannot be written: results are values that
 
 from ._alpha_shapes import AlphaShapes
 from ._balls import Balls, Contacts, Derivatives, MolecularSurface, Mouth, Pocket, Void
-from ._core import InputError, LimitError, ParseError, Reading, __version__, input_formats
+from ._candidates import AlphaCandidate, AlphaCandidates
+from ._core import (
+    InputError,
+    LimitError,
+    ParseError,
+    Reading,
+    __version__,
+    has_linear_solver,
+    input_formats,
+)
+from ._homology import Diagram, Diagrams, Representative, Representatives
 from ._reading import read
 from ._shape import Shape
 from ._tables import (
     NONE,
-    Diagram,
     Filtration,
     Located,
     Nearest,
@@ -30,16 +39,24 @@ from ._tables import (
     ShapeEdits,
     Signatures,
     Simplices,
+    Solid,
+    SolidChange,
 )
 from ._view import View
+from ._weights import ConflictError, EnforcedWeights, density_weights
 
 __all__ = [
     "NONE",
+    "AlphaCandidate",
+    "AlphaCandidates",
     "AlphaShapes",
     "Balls",
+    "ConflictError",
     "Contacts",
     "Derivatives",
     "Diagram",
+    "Diagrams",
+    "EnforcedWeights",
     "Filtration",
     "InputError",
     "LimitError",
@@ -54,14 +71,20 @@ __all__ = [
     "PowerCells",
     "Reading",
     "Region",
+    "Representative",
+    "Representatives",
     "Role",
     "Shape",
     "ShapeEdits",
     "Signatures",
     "Simplices",
+    "Solid",
+    "SolidChange",
     "View",
     "Void",
     "__version__",
+    "density_weights",
+    "has_linear_solver",
     "input_formats",
     "read",
 ]

@@ -3,13 +3,18 @@
 
 from __future__ import annotations
 
+import json
+import os
+import warnings
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._arrays import as_column, fault
+from ._files import ending_of, write_whole
 from ._tables import OutlineCurve, PowerCells
 
 if TYPE_CHECKING:
@@ -121,15 +126,14 @@ class Balls:
     Computational Geometry 13, 1995; in the plane `volume` is the area and `area` the perimeter.
     """
 
-    def __init__(self, shapes: AlphaShapes, alpha2: float, probe: float):
-        self._shapes, self._alpha2, self._probe = shapes, alpha2, probe
+    def __init__(self, shapes: AlphaShapes, index: int, alpha2: float, probe: float):
+        self._shapes, self._index, self._alpha2, self._probe = shapes, index, alpha2, probe
         self._union = self._measured(False, False)
 
     def _measured(self, contacts: bool, derivatives: bool) -> _core.UnionOfBalls:
         core = self._shapes._core
-        index = core.index(self._alpha2)
         return _core.union_of_balls(
-            core, index, self._alpha2, contacts, derivatives, self._shapes._threads
+            core, self._index, self._alpha2, contacts, derivatives, self._shapes._threads
         )
 
     def __repr__(self) -> str:
@@ -275,6 +279,72 @@ class Balls:
             title,
         )
 
+    def to_bytes(self, what: str, format: str, *, tolerance: float = 0.02) -> bytes:
+        """What `orthoball measure` and `orthoball pockets` write.
+
+        Args:
+            what: "per_atom", "per_residue", "contacts", "residue_contacts", "derivatives": tables;
+                "voids", "pockets"; "cells", the power cells in their balls.
+            format: "csv" or "json"; of voids and pockets also "ply", their boundaries, and of
+                molecules in space "pml" or "cxc", a script in which PyMOL or ChimeraX shows them; of
+                cells also "vtu" or "obj".
+            tolerance: of cells in "vtu" and "obj", as in `power_cells`.
+
+        Names of chains, residues and atoms are those of the Reading that the shapes are of. Raises
+        InputError for another name or format, and for tables of residues where none are named.
+        """
+        return self._file(what, format, None, tolerance)
+
+    def write(self, what: str, path: str | os.PathLike[str], *, tolerance: float = 0.02) -> None:
+        """Writes what `to_bytes` gives to a file, the format told by its name. The file appears whole
+        or not at all."""
+        write_whole(path, self._file(what, ending_of(path), os.fspath(path), tolerance))
+
+    def to_pandas(self, what: str = "per_atom") -> Any:
+        """One of the tables of `to_bytes` as a pandas DataFrame."""
+        import pandas
+
+        return pandas.DataFrame(json.loads(self.to_bytes(what, "json")))
+
+    def pdb(self, values: ArrayLike | None = None) -> bytes:
+        """The atoms as a PDB file, a row a record, with a value of each in the column of the B-factor.
+
+        Args:
+            values: (n,); by default the areas.
+
+        Warns of values beyond -99.99 to 999.99, for which the nearest stand, and of names that are
+        cut. Raises LimitError for coordinates that its columns do not hold.
+        """
+        shapes = self._shapes
+        column = self.areas if values is None else as_column(values, shapes.site_count, "values")
+        content, cut_values, cut_labels = _core.pdb_file(shapes._core, column, shapes._reading)
+        if cut_values:
+            warnings.warn(f"{cut_values} values beyond what a B-factor can be", stacklevel=2)
+        if cut_labels:
+            warnings.warn(f"{cut_labels} names longer than their columns", stacklevel=2)
+        return content
+
+    def write_pdb(self, path: str | os.PathLike[str], values: ArrayLike | None = None) -> None:
+        """Writes what `pdb` gives to a file, which appears whole or not at all."""
+        write_whole(path, self.pdb(values))
+
+    def _file(self, what: str, format: str, path: str | None, tolerance: float) -> bytes:
+        shapes = self._shapes
+        core, reading, threads = shapes._core, shapes._reading, shapes._threads
+        if what in _TABLES:
+            union = self._measured(what.endswith("contacts"), what == "derivatives")
+            return _core.ball_file(core, union, reading, what, format)
+        if what == "cells":
+            union = self._measured(True, False)
+            return _core.power_cell_file(core, union, None, tolerance, reading, format, threads)
+        if what not in ("voids", "pockets"):
+            raise fault(
+                f"{what!r} is no table; there are {', '.join(_TABLES)}, voids, pockets, cells"
+            )
+        write = _core.voids_file if what == "voids" else _core.pockets_file
+        molecule = _molecule(reading, path) if format in ("pml", "cxc") else ""
+        return write(core, self._union, reading, format, self._probe, molecule, threads)
+
     @cached_property
     def molecular_surface(self) -> MolecularSurface:
         """The molecular (solvent-excluded) surface under the probe, after Connolly, 1983. With a
@@ -286,3 +356,22 @@ class Balls:
             self._shapes._core, self._union, self._probe, self._shapes._threads
         )
         return MolecularSurface(**measures)
+
+
+_TABLES = ("per_atom", "per_residue", "contacts", "residue_contacts", "derivatives")
+
+
+def _molecule(reading: _core.Reading | None, script: str | None) -> str:
+    """The file of a molecule, from the folder of a script."""
+    if (
+        reading is None
+        or reading.format not in ("pdb", "cif", "pqr", "xyz")
+        or reading.dimension != 3
+    ):
+        raise fault(
+            "a viewer opens the input itself, which must be a PDB, mmCIF, PQR or XYZ file that was read; "
+            '"ply" shows those of any points'
+        )
+    if script is None or os.path.isabs(reading.file):
+        return reading.file
+    return os.path.relpath(reading.file, os.path.dirname(os.path.abspath(script)))

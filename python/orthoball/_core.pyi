@@ -166,6 +166,73 @@ class AlphaShapes:
     def chosen(self, alpha2: float | None, alpha: float | None, inverse_alpha: float | None, index: int | None) -> tuple[int, float]:
         """The index and alpha2 of the one form that is given."""
 
+def density_weights(points: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], neighbours: int, threads: int | None) -> Annotated[NDArray[numpy.float64], dict(order='C', writable=False)]:
+    """Weights from density of points, (n,) float64."""
+
+def with_density_weights(reading: Reading, neighbours: int, threads: int | None) -> Reading:
+    """A reading with weights from density instead of its own."""
+
+class Enforced:
+    """See orthoball.EnforcedWeights."""
+
+    @property
+    def points(self) -> numpy.typing.NDArray[numpy.float64]:
+        """(n, D) float64."""
+
+    @property
+    def weights(self) -> numpy.typing.NDArray[numpy.float64] | None:
+        """(n,) float64; None where none was needed."""
+
+    @property
+    def changed(self) -> numpy.typing.NDArray[numpy.uint32]:
+        """(k,) rows."""
+
+    @property
+    def hidden(self) -> numpy.typing.NDArray[numpy.uint32]:
+        """(k,) rows."""
+
+    @property
+    def total_change(self) -> float:
+        """length^2."""
+
+    @property
+    def conflict(self) -> list[int]:
+        """Numbers of simplices that exclude each other."""
+
+    @property
+    def added(self) -> int:
+        """How many rows were added."""
+
+    @property
+    def parts(self) -> list[list[int]]:
+        """The simplices that are held, as rows."""
+
+    @property
+    def part_of(self) -> list[int]:
+        """Of each the number of the simplex that it is a part of."""
+
+    def shapes(self, threads: int | None) -> AlphaShapes:
+        """The shapes of the points."""
+
+    def file(self) -> bytes:
+        """The points as CSV."""
+
+def enforced_weights(shapes: AlphaShapes, simplices: Sequence[Sequence[int]], alpha2: float, add_sites: bool, threads: int | None) -> Enforced:
+    """Weights with which simplices are in the shape."""
+
+def are_present(shapes: AlphaShapes, simplices: Sequence[Sequence[int]], index: int) -> numpy.typing.NDArray[numpy.bool_]:
+    """Whether simplices are in a complex."""
+
+def read_simplices(path: str, shapes: AlphaShapes) -> list[list[int]]:
+    """Rows of the simplices that a file lists."""
+
+def has_linear_solver() -> bool:
+    """
+    Whether the solver of linear programs, COIN-OR CLP, can be loaded, which
+    `AlphaShapes.enforce` needs: the package loads it where it is installed (Debian's
+    coinor-libclp1), and does not contain it.
+    """
+
 def simplices(shapes: object, dimension: int, threads: int | None) -> tuple:
     """
     Of one dimension: vertices (k, dimension + 1), enters, regular, interior (k,), all uint32.
@@ -195,6 +262,9 @@ class FilterColumns:
     def interior(self, threads: int | None) -> Annotated[NDArray[numpy.uint32], dict(order='C', writable=False)]:
         """(n,) uint32."""
 
+    def file(self, format: str, threads: int | None) -> bytes:
+        """As a table: csv, json (an object a line) or npz."""
+
 def filtration(shapes: AlphaShapes, index: int, threads: int | None) -> FilterColumns:
     """The complex at an index in filter order."""
 
@@ -206,23 +276,71 @@ def roles(shapes: AlphaShapes, dimension: int, index: int, threads: int | None) 
 def betti(shapes: AlphaShapes, index: int, threads: int | None) -> tuple[int, ...]:
     """Betti numbers of the complex at an index, D of them."""
 
-def persistence(shapes: AlphaShapes, all: bool, threads: int | None) -> list:
-    """
-    For every dimension k below D: alpha2 (n, 2) float64, indices (n, 2), vertices of the
-    simplices that give birth (n, k + 1) and death (n, k + 2), uint32.
-    """
+class FoundRepresentatives:
+    """See orthoball.Representatives."""
+
+    def list(self) -> list:
+        """A dict each."""
+
+    def file(self, format: str) -> bytes:
+        """json or ply."""
+
+class PersistencePairs:
+    """See orthoball.Diagrams."""
+
+    def arrays(self, dimension: int) -> tuple:
+        """
+        Of one dimension k: alpha2 (n, 2) float64, indices (n, 2), vertices of the simplices
+        that give birth (n, k + 1) and death (n, k + 2), uint32.
+        """
+
+    def file(self, dimension: int | None, format: str, indices: bool) -> bytes:
+        """Those of one dimension, or all: csv, json or gudhi."""
+
+    def figure(self, dimension: int | None, kind: str, axis: str, title: str, subtitle: str, unit: str) -> bytes:
+        """The same as SVG."""
+
+    def representatives(self, dimension: int | None, number: int | None, index: int | None, threads: int | None) -> FoundRepresentatives:
+        """What makes a class, or all that live at an index."""
+
+def persistence_pairs(shapes: AlphaShapes, all: bool, minimum_length: float, threads: int | None) -> PersistencePairs:
+    """The persistence pairs of all dimensions."""
 
 def signatures(shapes: AlphaShapes, indices: Annotated[NDArray[numpy.uint32], dict(shape=(None,), order='C', device='cpu', writable=False)] | None, threads: int | None) -> dict:
     """Columns of the signatures at some indices, or at all from 1 on."""
 
-def ball_signatures(shapes: AlphaShapes, alpha2: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], threads: int | None) -> dict:
+def ball_signatures(shapes: AlphaShapes, indices: Annotated[NDArray[numpy.uint32], dict(shape=(None,), order='C', device='cpu', writable=False)], alpha2: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], threads: int | None) -> dict:
     """Columns of the unions of balls at some alpha2."""
+
+def signature_file(shapes: AlphaShapes, indices: Annotated[NDArray[numpy.uint32], dict(shape=(None,), order='C', device='cpu', writable=False)] | None, format: str, threads: int | None) -> bytes:
+    """Signatures as a table: csv, json or npz."""
+
+def ball_signature_file(shapes: AlphaShapes, indices: Annotated[NDArray[numpy.uint32], dict(shape=(None,), order='C', device='cpu', writable=False)], alpha2: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], format: str, threads: int | None) -> bytes:
+    """Unions of balls as a table: csv, json or npz."""
+
+def signature_figure(shapes: AlphaShapes, axis: str, range: tuple[float, float] | None, title: str, subtitle: str, unit: str, threads: int | None) -> bytes:
+    """Signatures as SVG."""
 
 def notable_alphas(shapes: AlphaShapes) -> list:
     """A tuple (name, reason, index or None, alpha2, alpha) for each."""
 
 def automatic_alpha(shapes: AlphaShapes, is_molecule: bool) -> tuple:
     """The same of the one that is taken where none is named."""
+
+class Candidates:
+    """See orthoball.AlphaCandidates."""
+
+    def file(self, format: str) -> bytes:
+        """All as a table, csv or json."""
+
+def alpha_candidates(shapes: AlphaShapes, is_molecule: bool, resamples: int, share: float, seed: int, threads: int | None) -> Candidates:
+    """Alphas that may be the ones to take."""
+
+def candidate_names(dimension: int) -> list[str]:
+    """The names that candidates can have."""
+
+def scale_text(shapes: AlphaShapes) -> str:
+    """The alphas of the points in words."""
 
 class OneShape:
     """One shape of a family; see orthoball.Shape."""
@@ -250,6 +368,23 @@ def file_bytes(shape: OneShape, format: str, roles: bool) -> bytes:
 
 def measures(shape: OneShape) -> tuple:
     """Volume, area and Betti numbers of a whole shape."""
+
+class OneSolid:
+    """The solid near to a shape; see orthoball.Solid."""
+
+    @property
+    def shape(self) -> OneShape:
+        """The shape that it is."""
+
+    @property
+    def facts(self) -> dict:
+        """What it is, and what was changed."""
+
+    def file(self, format: str) -> bytes:
+        """What was changed, as a table, csv or json."""
+
+def manifold_solid(shape: OneShape) -> OneSolid:
+    """The solid nearest to a shape whose boundary is a closed manifold."""
 
 class UnionOfBalls:
     """The measures of a union of balls; see orthoball.Balls."""
@@ -297,6 +432,23 @@ def union_of_balls(shapes: AlphaShapes, index: int, alpha2: float, contacts: boo
 
 def molecular_surface(shapes: AlphaShapes, balls: UnionOfBalls, probe: float, threads: int | None) -> dict:
     """Measures of the molecular surface, by name."""
+
+def ball_file(shapes: AlphaShapes, balls: UnionOfBalls, reading: Reading | None, what: str, format: str) -> bytes:
+    """A table of balls: csv or json."""
+
+def voids_file(shapes: AlphaShapes, balls: UnionOfBalls, reading: Reading | None, format: str, probe: float, molecule: str, threads: int | None) -> bytes:
+    """Voids of balls: csv, json, ply, pml or cxc."""
+
+def pockets_file(shapes: AlphaShapes, balls: UnionOfBalls, reading: Reading | None, format: str, probe: float, molecule: str, threads: int | None) -> bytes:
+    """Pockets of balls: csv, json, ply, pml or cxc."""
+
+def power_cell_file(shapes: AlphaShapes, balls: UnionOfBalls | None, box: Sequence[float] | None, tolerance: float, reading: Reading | None, format: str, threads: int | None) -> bytes:
+    """Power cells in balls or a box: csv, json, vtu or obj."""
+
+def pdb_file(shapes: AlphaShapes, values: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], reading: Reading | None) -> tuple:
+    """
+    A PDB file with a value a row, how many values were cut, and how many labels.
+    """
 
 def voids(shapes: AlphaShapes, index: int, alpha2: float, of_shape: bool, threads: int | None) -> list:
     """Voids of the balls or of the shape, a dict each."""

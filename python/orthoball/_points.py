@@ -10,6 +10,8 @@ import numpy as np
 from . import _core
 from ._arrays import as_column, as_float64, as_points, fault, stacked
 
+_DENSITY = "density:"
+
 
 class Sites(NamedTuple):
     """Points with weights (signed squared lengths), or radii instead, or neither."""
@@ -151,22 +153,48 @@ def _of_atoms(atoms: _Atoms, radii: Any) -> Sites:
     return Sites(points, radii=of_elements, is_molecule=True)
 
 
-def sites_of(it: Any, weights: Any = None, radii: Any = None) -> Sites:
+def density_neighbours(weights: Any) -> int | None:
+    """K of the text "density:K"; None for other weights."""
+    if not isinstance(weights, str) or not weights.startswith(_DENSITY):
+        return None
+    number = weights[len(_DENSITY) :]
+    if number.isascii() and number.isdigit() and 0 < int(number) < 2**32:
+        return int(number)
+    raise fault(
+        f"{weights!r} is no way to make weights; density:K is, K neighbours from 1, such as density:8"
+    )
+
+
+def _atoms_of(it: Any) -> _Atoms | None:
+    looks = (look(it) for look in (_mdanalysis, _biopython, _gemmi, _ase))
+    return next((atoms for atoms in looks if atoms is not None), None)
+
+
+def points_of(it: Any) -> np.ndarray:
+    """The points of what AlphaShapes takes, whatever their weights."""
+    atoms = _atoms_of(it)
+    if atoms is not None:
+        return as_points(atoms.points)
+    looks = (look(it) for look in (_geopandas, _pandas, _cloud))
+    return as_points(next((values for values in looks if values is not None), it))
+
+
+def sites_of(it: Any, weights: Any = None, radii: Any = None, threads: int | None = None) -> Sites:
     """What AlphaShapes takes, as arrays; see there."""
     if weights is not None and radii is not None:
         raise fault("weights and radii are both given; a weight is a squared radius, give one")
-    for look in (_mdanalysis, _biopython, _gemmi, _ase):
-        atoms = look(it)
-        if atoms is not None:
-            if weights is None:
-                return _of_atoms(atoms, radii)
-            points = as_points(atoms.points)
-            return Sites(points, weights=as_column(weights, len(points), "weights"))
+    neighbours = density_neighbours(weights)
+    if neighbours is not None:
+        points = points_of(it)
+        return Sites(points, weights=_core.density_weights(points, neighbours, threads))
+    atoms = _atoms_of(it)
+    if atoms is not None:
+        if weights is None:
+            return _of_atoms(atoms, radii)
+        points = as_points(atoms.points)
+        return Sites(points, weights=as_column(weights, len(points), "weights"))
     is_table = hasattr(it, "columns") and hasattr(it, "iloc")
-    values = next(
-        (v for v in (look(it) for look in (_geopandas, _pandas, _cloud)) if v is not None), it
-    )
-    points = as_points(values)
+    points = points_of(it)
 
     def column(given: Any, name: str) -> np.ndarray | None:
         if given is None:

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import json
-import os
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -13,18 +12,31 @@ from numpy.typing import NDArray
 
 from . import _core, _exports
 from ._arrays import as_points
-from ._tables import NONE, Located, Nearest, Region, Role, ShapeEdits, Signatures
+from ._files import Written
+from ._tables import (
+    NONE,
+    Located,
+    Nearest,
+    Region,
+    Role,
+    ShapeEdits,
+    Signatures,
+    Solid,
+    SolidChange,
+)
 
 if TYPE_CHECKING:
     from ._alpha_shapes import AlphaShapes
 
 
-class Shape:
+class Shape(Written):
     """The alpha shape at one index of the spectrum: made by `AlphaShapes.shape`.
 
     Vertices are named by their input rows in every array, so that `shapes.points[shape.triangles]`
     are corners. Found when first asked for, then kept.
     """
+
+    _format_of_ending = {"json": "geojson"}
 
     def __init__(
         self,
@@ -39,6 +51,7 @@ class Shape:
         self._shapes = shapes
         self._index, self._alpha2, self._regularized = index, alpha2, regularized
         self._parts = (hole_threshold, region_threshold, region)
+        self._solid: Solid | None = None
         if region is not None and not 1 <= region < NONE:
             raise _core.InputError(f"there is no region {region}; regions are numbered from 1")
         self._core: _core.OneShape = _core.edited(
@@ -47,7 +60,8 @@ class Shape:
 
     def __repr__(self) -> str:
         solid = "solid part of the " if self.regularized else ""
-        solid = "parts of the " + solid if not self._is_whole else solid
+        solid = "parts of the " + solid if self._parts != (None, None, None) else solid
+        solid = "closed manifold near the " + solid if self._solid is not None else solid
         return (
             f"<orthoball.Shape: {solid}shape at index {self.index}, alpha2 {self.alpha2}, "
             f"of {self.shapes.site_count} sites>"
@@ -82,6 +96,29 @@ class Shape:
     def edits(self) -> ShapeEdits:
         """How many holes were filled and regions left out by thresholds."""
         return ShapeEdits(**self._core.edits)
+
+    def manifold(self) -> Shape:
+        """The shape nearest to this one that is a solid with a closed manifold as its boundary, to be
+        printed or meshed: cells are added or removed where two sheets of the boundary meet in an edge
+        or a vertex, as little volume as a local search finds; singular simplices are left out. In
+        `solid` of the result is what was changed.
+
+        A manifold: exact, always. Vertices are rows of the input, none is there twice. Without cells
+        where the shape has none.
+        """
+        core = _core.manifold_solid(self._core)
+        closed = object.__new__(Shape)
+        closed._shapes, closed._index, closed._alpha2 = self._shapes, self._index, self._alpha2
+        closed._regularized, closed._parts, closed._core = True, self._parts, core.shape
+        facts = core.facts
+        changes = tuple(SolidChange(**change) for change in facts.pop("changes"))
+        closed._solid = Solid(changes=changes, _core=core, **facts)
+        return closed
+
+    @property
+    def solid(self) -> Solid | None:
+        """Of what `manifold` gives: what was changed. None of other shapes."""
+        return self._solid
 
     # What it is made of.
 
@@ -167,7 +204,7 @@ class Shape:
 
     @property
     def _is_whole(self) -> bool:
-        return self._parts == (None, None, None)
+        return self._parts == (None, None, None) and self._solid is None
 
     # What is where.
 
@@ -257,16 +294,6 @@ class Shape:
             roles: mark every simplex as singular or regular, where the format can.
         """
         return _core.file_bytes(self._core, format, roles)
-
-    def write(self, path: str | os.PathLike[str], *, roles: bool = False) -> None:
-        """Writes the boundary to a file, the format told by its name; see `to_bytes`.
-
-        The file appears whole or not at all.
-        """
-        path = os.fspath(path)
-        ending = os.path.splitext(path)[1].lstrip(".").lower()
-        content = self.to_bytes({"json": "geojson"}.get(ending, ending), roles=roles)
-        _exports.write_whole(path, content)
 
     def plot(self, *, ax: Any = None) -> Any:
         """Draws the shape with matplotlib. Returns the axes."""

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from ._files import Written
 
 NONE = 4294967295
 """Stands where an array of vertices has a place without one."""
@@ -48,7 +49,7 @@ class Simplices(NamedTuple):
     """(n,) indices of the spectrum."""
 
 
-class Filtration:
+class Filtration(Written):
     """All simplices in the exact order of their appearance: every prefix is a complex.
 
     Ordered by exact alpha2, then dimension, then rows. Iterating gives `(simplex, alpha2)`, the
@@ -56,8 +57,14 @@ class Filtration:
     never is the spectrum's size plus 1 in them. Views, or found when first asked for and kept.
     """
 
+    _format_of_ending = {"jsonl": "json"}
+
     def __init__(self, columns: _core.FilterColumns, threads: int | None):
         self._columns, self._threads = columns, threads
+
+    def to_bytes(self, format: str) -> bytes:
+        """What `orthoball filter` writes: "csv", "json", an object a line, or "npz"."""
+        return self._columns.file(format, self._threads)
 
     @cached_property
     def dimension(self) -> NDArray[np.uint8]:
@@ -99,35 +106,6 @@ class Filtration:
 
     def __repr__(self) -> str:
         return f"<orthoball.Filtration of {len(self)} simplices>"
-
-
-@dataclass(frozen=True, eq=False)
-class Diagram:
-    """The persistent homology of one dimension over Z/2: when its classes are born and die.
-
-    NumPy takes it as the array `alpha2`.
-    """
-
-    dimension: int
-    """0 for components, 1 for tunnels (in the plane: holes), 2 for voids."""
-    alpha2: NDArray[np.float64]
-    """(n, 2) birth and death, length^2; infinity for never."""
-    index: NDArray[np.uint32]
-    """(n, 2) the same as indices of the spectrum; its size plus 1 for never."""
-    births: NDArray[np.uint32]
-    """(n, dimension + 1) the simplices that close the cycles, as rows."""
-    deaths: NDArray[np.uint32]
-    """(n, dimension + 2) the simplices that fill them, as rows; NONE where nothing does."""
-
-    def __len__(self) -> int:
-        return len(self.alpha2)
-
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[np.float64]:
-        array = self.alpha2 if dtype is None else self.alpha2.astype(dtype, copy=False)
-        return array.copy() if copy else array
-
-    def __repr__(self) -> str:
-        return f"<orthoball.Diagram of dimension {self.dimension}: {len(self)} classes>"
 
 
 class Region(NamedTuple):
@@ -180,6 +158,28 @@ class Located(NamedTuple):
     nearest: Nearest
     """The nearest points of the boundary."""
 
+    def to_pandas(self) -> Any:
+        """A pandas DataFrame with the columns of `orthoball locate`, simplices as lists of rows; what
+        there is not is missing."""
+        import pandas
+
+        def rows(simplices: NDArray[np.uint32]) -> list[list[int] | None]:
+            return [[row for row in one if row != NONE] or None for one in simplices.tolist()]
+
+        has_boundary = np.isfinite(self.nearest.distances)
+        regions = pandas.array(self.regions, dtype="UInt32")
+        regions[self.regions == 0] = pandas.NA
+        columns = {
+            "inside": self.regions > 0,
+            "region": regions,
+            "distance": np.where(has_boundary, self.nearest.distances, np.nan),
+        }
+        for axis, places in zip("xyz", self.nearest.points.T):
+            columns[axis] = np.where(has_boundary, places, np.nan)
+        columns["nearest"] = rows(self.nearest.simplices)
+        columns["simplex"] = rows(self.simplices)
+        return pandas.DataFrame(columns).rename_axis("row")
+
 
 class PowerCells(NamedTuple):
     """Power (weighted Voronoi) cells, by row. Hidden points and duplicates have none."""
@@ -226,7 +226,7 @@ class NotableAlpha(NamedTuple):
     """The signed root of alpha2, a length."""
 
 
-class Signatures(Mapping[str, NDArray[Any]]):
+class Signatures(Mapping[str, NDArray[Any]], Written):
     """Quantities as functions of the index: one row an index, columns as in a dict or as attributes.
 
     index, alpha2 (length^2), alpha, betti (n, D), euler, exterior, singular, regular, interior
@@ -234,11 +234,15 @@ class Signatures(Mapping[str, NDArray[Any]]):
     area_singular, area_regular, area (length^(D-1); in the plane lengths; area counts singular facets
     twice), length (in space: sum of edge length x complementary angle).
 
-    Of unions of balls: index, alpha2, betti, euler, volume, area.
+    Of unions of balls: index, alpha2, alpha, betti, euler, volume, area.
     """
 
-    def __init__(self, columns: dict[str, NDArray[Any]]):
-        self._columns = columns
+    def __init__(self, columns: dict[str, NDArray[Any]], file: Callable[[str], bytes]):
+        self._columns, self._file = columns, file
+
+    def to_bytes(self, format: str) -> bytes:
+        """What `orthoball signatures` writes of these indices or alpha2: "csv", "json" or "npz"."""
+        return self._file(format)
 
     def __getitem__(self, name: str) -> NDArray[Any]:
         return self._columns[name]
@@ -271,3 +275,47 @@ class Signatures(Mapping[str, NDArray[Any]]):
 
     def __repr__(self) -> str:
         return f"<orthoball.Signatures at {len(self['index'])} indices: {', '.join(self)}>"
+
+
+@dataclass(frozen=True, eq=False)
+class Solid(Written):
+    """What a closed manifold has and lacks against the shape that it is near to: of `Shape.manifold`."""
+
+    surface_count: int
+    """Components of the boundary."""
+    euler: int
+    """Euler number of the boundary: 2 a sphere, 0 a torus."""
+    added: float
+    """Volume of cells that were added, length^D."""
+    removed: float
+    """Volume of cells that were removed, length^D."""
+    changes: tuple[SolidChange, ...]
+    """Place by place, the largest volume first."""
+    offending: NDArray[np.uint32]
+    """(k,) rows of the vertices at which the boundary of the shape's cells is no manifold."""
+    offending_edges: int
+    """In space: edges with more than two boundary triangles."""
+    dropped: tuple[int, ...]
+    """How many singular simplices were left out, by dimension 0 to D - 1."""
+    _core: _core.OneSolid = field(repr=False)
+    """The solid itself."""
+
+    def to_bytes(self, format: str) -> bytes:
+        """What `orthoball shape --manifold --changes` writes, "csv" or "json": changes, then the
+        singular simplices that were left out."""
+        return self._core.file(format)
+
+
+class SolidChange(NamedTuple):
+    """Cells joined through facets that were all added to a shape, or all removed from it."""
+
+    is_added: bool
+    """Or removed."""
+    cell_count: int
+    """How many cells."""
+    volume: float
+    """length^D."""
+    centre: NDArray[np.float64]
+    """(D,) the mean of their vertices."""
+    rows: NDArray[np.uint32]
+    """(k,) of their vertices, ascending."""

@@ -12,7 +12,7 @@ import webbrowser
 from typing import TYPE_CHECKING
 
 from . import _core
-from ._exports import write_whole
+from ._files import write_whole
 
 if TYPE_CHECKING:
     from ._alpha_shapes import AlphaShapes
@@ -33,15 +33,15 @@ class View:
     Needs no server, no network and no Python. A notebook shows it as it is.
     """
 
-    def __init__(self, shapes: AlphaShapes, given: tuple[float | int | None, ...]):
+    def __init__(self, shapes: AlphaShapes, given: tuple[float | int | str | None, ...]):
         if not _PAGE.exists():
             raise RuntimeError(
                 "this orthoball was built without the viewer; a build finds Node 20 after "
                 "./bootstrap viewer"
             )
         reason = ""
-        if all(form is None for form in given):
-            notable = shapes.automatic_alpha()
+        notable = shapes._named_alpha(*given)  # type: ignore[arg-type]
+        if notable is not None:
             index, alpha2, reason = notable.index or 0, notable.alpha2, notable.reason
         else:
             index, alpha2 = shapes._chosen(*given)  # type: ignore[arg-type]

@@ -17,6 +17,7 @@ from orthoball.compat import alphashape, gudhi, matlab
 
 TESTS = pathlib.Path(__file__).resolve().parent
 PACKAGE = pathlib.Path(orthoball.__file__).resolve().parent
+ERRORS = (_core.InputError, _core.ParseError, _core.LimitError)
 MODULES = [orthoball, alphashape, gudhi, matlab]
 
 
@@ -62,6 +63,12 @@ def test_results_have_the_types_that_are_offered(samples):
         orthoball.Filtration: shapes.filtration(index=5),
         orthoball.Signatures: shapes.signatures_at(index=[5]),
         orthoball.Diagram: shapes.persistence(0),
+        orthoball.Diagrams: shapes.persistence(),
+        orthoball.Representatives: shapes.persistence(1).representatives(alpha2=0.0),
+        orthoball.Representative: shapes.persistence(0).representative(0),
+        orthoball.AlphaCandidates: shapes.alpha_candidates(),
+        orthoball.AlphaCandidate: shapes.alpha_candidates()[0],
+        orthoball.Solid: shapes.shape().manifold().solid,
         orthoball.NotableAlpha: shapes.automatic_alpha(),
         orthoball.Shape: shapes.shape(),
         orthoball.Nearest: shapes.shape().nearest(shapes.points[:1]),
@@ -84,7 +91,7 @@ def test_results_have_the_types_that_are_offered(samples):
 
 
 def test_errors_are_value_errors():
-    for error in (orthoball.InputError, orthoball.ParseError, orthoball.LimitError):
+    for error in (*ERRORS, orthoball.ConflictError):
         assert issubclass(error, ValueError)
     with pytest.raises(orthoball.LimitError, match="memory"):
         raise orthoball.LimitError("out of memory")
@@ -93,7 +100,9 @@ def test_errors_are_value_errors():
 def test_everything_that_is_compiled_is_used_by_the_package():
     text = "\n".join(path.read_text() for path in PACKAGE.rglob("*.py"))
     bound = [name for name in dir(_core) if not name.startswith("__")]
-    for cls in (_core.AlphaShapes, _core.UnionOfBalls):
+    for cls in vars(_core).values():
+        if not inspect.isclass(cls) or cls in (_core.Reading, *ERRORS):
+            continue
         bound += members(cls)
     missing = [name for name in set(bound) if not re.search(rf"\b{name}\b", text)]
     assert not missing
@@ -108,7 +117,7 @@ def test_everything_has_a_docstring():
         for name in members(cls):
             if name not in fields and not inspect.getdoc(vars(cls)[name]):
                 missing.append(f"{cls.__name__}.{name}")
-    for name in ("read", "input_formats"):
+    for name in ("read", "input_formats", "has_linear_solver", "density_weights"):
         assert inspect.getdoc(getattr(orthoball, name))
     assert not missing
 
@@ -121,8 +130,11 @@ def test_fields_of_tables_have_docstrings():
                 continue
             for this, after in zip(node.body, [*node.body[1:], None]):
                 documented = isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant)
-                if isinstance(this, ast.AnnAssign) and node.name != "Sites" and not documented:
-                    missing.append(f"{path.name}: {node.name}.{ast.unparse(this.target)}")
+                if not isinstance(this, ast.AnnAssign) or node.name == "Sites" or documented:
+                    continue
+                name = ast.unparse(this.target)
+                if not name.startswith("_"):
+                    missing.append(f"{path.name}: {node.name}.{name}")
     assert not missing
 
 

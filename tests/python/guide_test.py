@@ -7,6 +7,8 @@ import shutil
 
 import pytest
 
+import orthoball
+
 pytestmark = pytest.mark.partner
 
 
@@ -18,6 +20,8 @@ def test_the_guide_shows_what_python_prints(root, tmp_path, monkeypatch):
     assert len(blocks) == text.count("```pycon") > 8
     parser, names, output = doctest.DocTestParser(), {}, []
     for number, block in enumerate(blocks, 1):
+        if ".enforce(" in block and not orthoball.has_linear_solver():
+            continue
         test = parser.get_doctest(block, names, f"block {number}", "python.md", 0)
         runner = doctest.DocTestRunner(verbose=False)
         runner.run(test, out=output.append, clear_globs=False)

@@ -5,7 +5,8 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from orthoball import AlphaShapes
+import orthoball
+from orthoball import AlphaShapes, ConflictError
 
 numbers = st.integers(-6, 6) | st.floats(-4, 4, allow_subnormal=False)
 
@@ -104,3 +105,58 @@ def test_threads_change_nothing(sites, threads):
     one, more = AlphaShapes(*sites, threads=1), AlphaShapes(*sites, threads=threads)
     for ours, theirs in zip(one.filtration(), more.filtration(), strict=True):
         assert ours == theirs
+
+
+@settings(max_examples=30, deadline=None)
+@given(weighted_points())
+def test_representatives_are_cycles_in_the_complex_that_they_are_shown_in(sites):
+    shapes = AlphaShapes(*sites)
+    for one in shapes.persistence().representatives():
+        assert shapes.are_present(one.cycle, index=one.index).all()
+        if one.dimension == 0:
+            continue
+        faces = [np.delete(one.cycle, leave_out, axis=1) for leave_out in range(one.dimension + 1)]
+        _, counts = np.unique(np.sort(np.concatenate(faces)), axis=0, return_counts=True)
+        assert (counts % 2 == 0).all()
+
+
+@settings(max_examples=30, deadline=None)
+@given(weighted_points(), st.floats(0, 1))
+def test_manifolds_have_two_facets_at_every_ridge(sites, share):
+    shapes = AlphaShapes(*sites)
+    closed = shapes.shape(index=round(share * len(shapes.spectrum))).manifold()
+    facets = closed.triangles if shapes.dimension == 3 else closed.edges
+    assert len(facets) == 0 or closed.volume > 0
+    ridges = [np.delete(facets, leave_out, axis=1) for leave_out in range(shapes.dimension)]
+    _, counts = np.unique(np.sort(np.concatenate(ridges)), axis=0, return_counts=True)
+    assert (counts == 2).all()
+
+
+@settings(max_examples=30, deadline=None)
+@given(weighted_points(), st.integers(1, 6))
+def test_weights_from_density_hide_nothing_and_scale(sites, neighbours):
+    points, _ = sites
+    points = np.unique(np.round(points, 3), axis=0)
+    if len(points) <= neighbours:
+        return
+    weights = orthoball.density_weights(points, neighbours)
+    assert len(AlphaShapes(points, weights).hidden) == 0
+    assert np.array_equal(orthoball.density_weights(4 * points, neighbours), 16 * weights)
+
+
+@settings(max_examples=30, deadline=None)
+@given(
+    st.lists(st.tuples(*[st.integers(0, 20)] * 2), min_size=4, max_size=9, unique=True), st.data()
+)
+def test_enforced_edges_are_there_or_conflict(points, data):
+    if not orthoball.has_linear_solver():
+        return
+    row = st.integers(0, len(points) - 1)
+    edges = data.draw(st.lists(st.lists(row, min_size=2, max_size=2, unique=True), max_size=3))
+    try:
+        held = AlphaShapes(points).enforce(edges, alpha2=4)
+    except ConflictError as error:
+        assert len(error.simplices) > 0
+        held = AlphaShapes(points).enforce(edges, alpha2=4, add_sites=True)
+        assert len(held.parts) > len(edges)
+    assert held.shapes.are_present(held.parts, alpha2=4).all()

@@ -4,6 +4,7 @@
 import gc
 import pathlib
 import threading
+import weakref
 
 import numpy as np
 import pytest
@@ -24,6 +25,10 @@ def used(points):
     shape.triangles, shape.cells, shape.volume
     balls = shapes.balls(probe=0.01)
     balls.contacts, balls.derivatives, balls.voids, balls.pockets
+    shapes.signatures.to_bytes("csv"), balls.to_bytes("per_atom", "json")
+    fewer = AlphaShapes(points[:200])
+    fewer.shape("auto:connected").manifold().solid.to_bytes("csv")
+    fewer.persistence(0).representatives()
 
 
 @pytest.mark.skipif(not pathlib.Path("/proc/self/status").exists(), reason="reads /proc")
@@ -38,6 +43,21 @@ def test_a_hundred_instances_leave_nothing_behind():
     gc.collect()
     # One instance holds 2 MB and more in its arrays.
     assert resident() - before < 30e6
+
+
+def test_shapes_end_when_nobody_names_them_any_more(cloud):
+    gc.collect()
+    gc.disable()
+    try:
+        shapes = AlphaShapes(cloud)
+        ended = weakref.ref(shapes)
+        shapes.signatures, shapes.points, shapes.weights, shapes.shape("auto:connected").volume
+        shapes.persistence().representatives(), shapes.balls().to_bytes("per_atom", "csv")
+        shapes.shape().manifold(), shapes.filtration().to_bytes("npz")
+        del shapes
+        assert ended() is None
+    finally:
+        gc.enable()
 
 
 def test_arrays_outlive_what_they_are_of(cloud):

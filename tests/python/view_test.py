@@ -26,14 +26,22 @@ needs_page = pytest.mark.skipif(
 @pytest.mark.partner
 @pytest.mark.parametrize(
     "name, options",
-    [("c60.xyz", {}), ("bdna_dodecamer.pdb", {"alpha2": 1.0}), ("figure_eight.csv", {"index": 7})],
+    [
+        ("c60.xyz", {}),
+        ("bdna_dodecamer.pdb", {"alpha2": 1.0}),
+        ("figure_eight.csv", {"index": 7}),
+        ("linked_tori.csv", {"alpha2": "auto:signature"}),
+        ("bdna_dodecamer.pdb", {"weights": "density:5"}),
+    ],
 )
 def test_the_page_is_that_of_the_program(samples, tmp_path, name, options):
+    options = dict(options)
     path = tmp_path / "page.html"
     words = [word for key, value in options.items() for word in (f"--{key}", str(value))]
     command = [PROGRAM, "view", samples / name, "-o", path, "--no-open", "--quiet", *words]
     subprocess.run(command, check=True, capture_output=True)
-    view = AlphaShapes(orthoball.read(samples / name)).view(open=False, **options)
+    weights = options.pop("weights", None)
+    view = AlphaShapes(orthoball.read(samples / name), weights).view(open=False, **options)
     assert view.html == path.read_bytes()
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -17,7 +18,8 @@ namespace orthoball {
 ///
 /// Exact but for alpha2, correctly rounded; the same on any number of threads. Refers to the
 /// filtration, which must outlive it. Immutable; any number of threads may read it. In space 25
-/// bytes a simplex, 4 more while it is made. Linear time but for ties.
+/// bytes a simplex, and as many more in the longest stretch while it is made. Linear time but for
+/// ties.
 template <int D>
 class FilterColumns {
  public:
@@ -32,7 +34,9 @@ class FilterColumns {
   /// [position]: 0..D.
   [[nodiscard]] std::span<const std::uint8_t> dimensions() const { return dimensions_; }
   /// [(D + 1) * position + i]: input rows of the vertices, ascending, then none.
-  [[nodiscard]] std::span<const SiteId> rows() const { return rows_; }
+  [[nodiscard]] std::span<const SiteId> rows() const {
+    return {rows_.empty() ? nullptr : rows_[0].data(), (std::size_t{D} + 1) * rows_.size()};
+  }
   /// [position]: indices of the spectrum, never decreasing.
   [[nodiscard]] std::span<const std::uint32_t> enters() const { return enters_; }
 
@@ -48,7 +52,7 @@ class FilterColumns {
   const Filtration<D>* filtration_;
   RawVector<SimplexId> simplices_;
   RawVector<std::uint8_t> dimensions_;
-  RawVector<SiteId> rows_;
+  RawVector<std::array<SiteId, std::size_t{D} + 1>> rows_;
   RawVector<std::uint32_t> enters_;
 };
 

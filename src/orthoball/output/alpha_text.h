@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "orthoball/filtration/filtration.h"
 #include "orthoball/output/byte_sink.h"
 
 namespace orthoball {
@@ -22,5 +23,13 @@ namespace orthoball {
   const std::string number = std::isfinite(alpha2) ? shortest_text(alpha2) : "beyond double range";
   return "alpha2 " + number + ", index " + std::to_string(index);
 }
+
+/// The alphas of some points, for who asks for one that they do not have: "the first simplex enters
+/// at alpha2 0, the last at 12.5; in one piece at 2; solid at 3".
+template <int D>
+[[nodiscard]] std::string scale_text(const Filtration<D>& filtration);
+
+extern template std::string scale_text(const Filtration<2>&);  // in alpha_text.cpp
+extern template std::string scale_text(const Filtration<3>&);
 
 }  // namespace orthoball

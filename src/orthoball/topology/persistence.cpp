@@ -235,7 +235,22 @@ PersistencePairs<D> persistence_pairs(const Filtration<D>& filtration, WantedPai
   return Pairing<D>(filtration, wanted).found(threads);
 }
 
+template <int D>
+PersistencePairs<D> pairs_of_length(const Filtration<D>& filtration, PersistencePairs<D> pairs,
+                                    double least) {
+  const auto is_short = [&](const PersistencePair& pair) {
+    if (!pair.death.exists()) return false;
+    const double length = filtration.alpha2(filtration.enters(pair.death)) -
+                          filtration.alpha2(filtration.enters(pair.birth));
+    return length < least;
+  };
+  for (auto& of_dimension : pairs) std::erase_if(of_dimension, is_short);
+  return pairs;
+}
+
 template PersistencePairs<2> persistence_pairs<2>(const Filtration<2>&, WantedPairs, Threads);
 template PersistencePairs<3> persistence_pairs<3>(const Filtration<3>&, WantedPairs, Threads);
+template PersistencePairs<2> pairs_of_length<2>(const Filtration<2>&, PersistencePairs<2>, double);
+template PersistencePairs<3> pairs_of_length<3>(const Filtration<3>&, PersistencePairs<3>, double);
 
 }  // namespace orthoball

@@ -42,9 +42,20 @@ template <int D>
                                                     WantedPairs wanted = WantedPairs::lasting,
                                                     Threads threads = {});
 
+/// Those of them that live for `least` or longer, by the labels of their ends; those that never die
+/// do.
+/// @param least  length^2, 0 or more.
+template <int D>
+[[nodiscard]] PersistencePairs<D> pairs_of_length(const Filtration<D>& filtration,
+                                                  PersistencePairs<D> pairs, double least);
+
 extern template PersistencePairs<2> persistence_pairs<2>(const Filtration<2>&, WantedPairs,
                                                          Threads);  // in persistence.cpp
 extern template PersistencePairs<3> persistence_pairs<3>(const Filtration<3>&, WantedPairs,
                                                          Threads);
+extern template PersistencePairs<2> pairs_of_length<2>(const Filtration<2>&, PersistencePairs<2>,
+                                                       double);
+extern template PersistencePairs<3> pairs_of_length<3>(const Filtration<3>&, PersistencePairs<3>,
+                                                       double);
 
 }  // namespace orthoball

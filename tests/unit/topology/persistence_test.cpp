@@ -131,6 +131,22 @@ TEST(Persistence, LeavesOutWhatNeverLives) {
   });
 }
 
+TEST(Persistence, OfALengthKeepsWhatLivesSoLongOrForEver) {
+  const Filtration<2> filtration =
+      filtration_of<2>(WeightedPoints(2, {0, 0, 2, 0, 2, 3, 0, 3, 1, 20}, WeightKind::none, {}));
+  const auto pairs = persistence_pairs(filtration);
+  const auto counts = [&](double least) {
+    const auto kept = pairs_of_length(filtration, pairs, least);
+    return std::array{kept[0].size(), kept[1].size()};
+  };
+  // Deaths of components at 1, 1, 2.25 and far away; the hole lives from 2.25 to 3.25.
+  EXPECT_EQ(counts(0.0), (std::array<std::size_t, 2>{pairs[0].size(), pairs[1].size()}));
+  EXPECT_EQ(counts(1.0), (std::array<std::size_t, 2>{5, 1}));
+  EXPECT_EQ(counts(1.01), (std::array<std::size_t, 2>{3, 0}));
+  EXPECT_EQ(counts(3.0), (std::array<std::size_t, 2>{2, 0}));
+  EXPECT_EQ(counts(1e9), (std::array<std::size_t, 2>{1, 0}));
+}
+
 // As many classes live at every index as the Betti numbers say.
 TEST(Persistence, HasTheBettiNumbersOfEveryIndex) {
   for_each_case(300, []<int D>(const Filtration<D>& filtration) {
