@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <exception>
+#include <string>
+#include <string_view>
 
 #include "orthoball/error.h"
 #include "orthoball/output/byte_sink.h"
@@ -30,8 +33,30 @@ struct ErrorTypes {
 };
 ErrorTypes types;
 
+// Messages of the library tell what would be right by the options of the program.
+std::string in_python(std::string message) {
+  constexpr std::array<std::array<std::string_view, 2>, 11> kNames{{
+      {"--input-format", "format="},
+      {"--columns", "columns="},
+      {"--radius-column 4", "radius_column=4"},
+      {"--radii none", "radii=\"none\""},
+      {"--default-radius", "default_radius="},
+      {"--model N", "model=N"},
+      {"--altloc X", "altloc=\"X\""},
+      {"--hydrogens drop", "hydrogens=False"},
+      {"--allow-empty", "allow_empty=True"},
+      {"--no-limit", "limited=False"},
+      {", or set another limit with --memory-limit", ""},
+  }};
+  for (const auto& [option, name] : kNames) {
+    const std::size_t at = message.find(option);
+    if (at != std::string::npos) message.replace(at, option.size(), name);
+  }
+  return message;
+}
+
 nb::object made(nb::handle type, const std::exception& error) {
-  return type(nb::str(error.what()));
+  return type(nb::str(in_python(error.what()).c_str()));
 }
 
 void raise(nb::handle type, const nb::object& error) { PyErr_SetObject(type.ptr(), error.ptr()); }

@@ -57,6 +57,22 @@ def test_options_are_those_of_the_program(tmp_path, samples):
     assert none.weights is None and none.ball_radii is None
 
 
+def test_faults_name_what_python_calls_it(tmp_path):
+    path = tmp_path / "points.what"
+    path.write_text("1,2\n")
+    with pytest.raises(orthoball.ParseError, match="name the format with format=: table, "):
+        orthoball.read(path)
+    empty = tmp_path / "points.csv"
+    empty.write_text("x,y\n")
+    with pytest.raises(orthoball.ParseError, match="allow_empty=True"):
+        orthoball.read(empty)
+    xyz = tmp_path / "unknown.xyz"
+    xyz.write_text("1\n\nQq 0 0 0\n")
+    with pytest.raises(orthoball.ParseError) as caught:
+        orthoball.read(xyz)
+    assert "--" not in str(caught.value)
+
+
 def test_faults_name_file_and_line(tmp_path):
     path = tmp_path / "points.csv"
     path.write_text("x,y\n0,1\n2,b\n")

@@ -119,8 +119,10 @@ bool has_linear_solver() { return solver().are_there(); }
 
 LinearProgram::LinearProgram() {
   if (!has_linear_solver()) {
-    throw LimitError("the solver of linear programs, COIN-OR CLP (" ORTHOBALL_CLP
-                     "), cannot be loaded; weights that enforce simplices need it");
+    throw LimitError(
+        "the solver of linear programs, COIN-OR CLP (" ORTHOBALL_CLP
+        "), cannot be loaded; weights that enforce simplices need it: install it, on Debian "
+        "and Ubuntu as the package coinor-libclp1");
   }
   model_ = std::make_unique<Model>();
 }
