@@ -9,6 +9,7 @@
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/ids.h"
 #include "orthoball/measures/scaled_balls.h"
+#include "orthoball/queries/edges_at_vertices.h"
 #include "orthoball/queries/tunnel_cycles.h"
 #include "orthoball/topology/persistence.h"
 
