@@ -40,7 +40,8 @@ struct Representative {
 /// last cell is in; all of it is exact. Tunnels: a short cycle of the class, see TunnelCycles. All
 /// cycles are cycles, and from birth to death they bound nothing.
 ///
-/// Refers to the filtration. Not for several threads at once.
+/// Takes in space about 40 bytes a simplex, with all pairs and those that last; a third of it
+/// before the first tunnel. Refers to the filtration. Not for several threads at once.
 template <int D>
 class Representatives {
  public:

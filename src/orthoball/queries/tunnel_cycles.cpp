@@ -26,7 +26,7 @@ constexpr int kRounds = 6;
 // How many vertices the trees of one cycle may reach: so many, and so many times all vertices for
 // the tunnel that lives longest, a half of it for the next, a third, and so on.
 constexpr std::uint64_t kReachedAtLeast = 4000;
-constexpr std::uint64_t kTimesAll = 32;
+constexpr std::uint64_t kTimesAll = 8;
 
 }  // namespace
 
