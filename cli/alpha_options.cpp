@@ -13,6 +13,7 @@
 #include <variant>
 
 #include "cli/alpha_number.h"
+#include "cli/query_memory.h"
 #include "cli/usage_error.h"
 #include "orthoball/filtration/alpha.h"
 #include "orthoball/output/alpha_text.h"
@@ -75,6 +76,8 @@ bool check_name(const std::string& text) {
 // @throws UsageError where the input has none, with the scale of its alphas.
 ChosenAlpha named_alpha(const Loaded& input, const std::string& name) {
   return with_filtration(input, [&]<int D>(const orthoball::Filtration<D>& filtration) {
+    input.memory.require(candidates_memory(D, filtration.size()),
+                         input.reading.file + ": the candidates for alpha");
     const auto candidates =
         orthoball::alpha_candidates<D>(filtration, meaning_of_weights(input), input.threads);
     for (const auto& [taken, at, from, to, stability] : candidates) {

@@ -306,7 +306,7 @@ Loaded build_shapes(const InputOptions& options, Progress& progress, orthoball::
   orthoball::AlphaShapes shapes = within_memory(
       options.path, progress, [&] { return orthoball::AlphaShapes(std::move(points), build); });
   progress.end();
-  return {std::move(reading), std::move(shapes), build.threads};
+  return {std::move(reading), std::move(shapes), build.threads, memory_of(options)};
 }
 
 Loaded load(const InputOptions& options, Progress& progress, bool says_notes) {

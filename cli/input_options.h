@@ -37,7 +37,8 @@ void add_input_options(CLI::App& command, InputOptions& options);
 struct Loaded {
   orthoball::Reading reading;  ///< its points have moved into `shapes`
   orthoball::AlphaShapes shapes;
-  orthoball::Threads threads{};  ///< for what is asked of the shapes
+  orthoball::Threads threads{};      ///< for what is asked of the shapes
+  orthoball::MemoryBudget memory{};  ///< for the same
 
   /// "Å" for molecules, otherwise empty: the unit of the input is not known.
   [[nodiscard]] std::string unit() const { return reading.is_molecule ? "Å" : ""; }

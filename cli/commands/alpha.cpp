@@ -13,6 +13,7 @@
 #include "cli/data_options.h"
 #include "cli/input_options.h"
 #include "cli/output_file.h"
+#include "cli/query_memory.h"
 #include "cli/report.h"
 #include "orthoball/output/alpha_table.h"
 #include "orthoball/queries/alpha_candidates.h"
@@ -93,13 +94,17 @@ void run(const CandidateOptions& options) {
   std::size_t missing = 0;
   std::visit(
       [&]<int D>(const orthoball::Filtration<D>& filtration) {
-        require_memory(options.input, orthoball::signature_memory(filtration.size()),
-                       "the signatures");
+        require_memory(options.input, candidates_memory(D, filtration.size()),
+                       "the candidates for alpha");
         const auto weights = meaning_of_weights(input);
         const auto threads = threads_of(options.input);
         const auto candidates = orthoball::alpha_candidates<D>(filtration, weights, threads);
         std::vector<orthoball::AlphaSpread> spreads;
         if (options.resamples > 0) {
+          require_memory(
+              options.input,
+              resamples_memory(D, filtration.triangulation().site_count(), filtration.size()),
+              "a resample");
           orthoball::ResampleOptions resampling;
           resampling.count = options.resamples;
           resampling.seed = options.seed;

@@ -165,8 +165,8 @@ void add_enforce_command(CLI::App& app) {
   add_input_options(*command, options->input);
   command
       ->add_option("SIMPLICES", options->simplices,
-                   "file of simplices, one a line: rows of INPUT, from 0, of an edge, a triangle\n"
-                   "or a tetrahedron; # begins a comment")
+                   "file of simplices, one a line: rows of INPUT, from 0, of an edge, a\n"
+                   "triangle or a tetrahedron; # begins a comment")
       ->required()
       ->type_name("")
       ->option_text(" ");
@@ -177,8 +177,9 @@ void add_enforce_command(CLI::App& app) {
       ->group("Output");
   command
       ->add_flag("--add-sites", options->add_sites,
-                 "where simplices exclude each other, add sites on them, as few as are found to\n"
-                 "do: the rows after those of INPUT; the parts between them are held")
+                 "where simplices exclude each other, add sites on them, as few as are\n"
+                 "found to do: the rows after those of INPUT; the parts between them are\n"
+                 "held")
       ->group("Output");
   command->footer(
       "Writes INPUT as a table with a column of weights (of radii where the numbers are doubles "

@@ -16,6 +16,7 @@
 #include "cli/edit_options.h"
 #include "cli/input_options.h"
 #include "cli/output_file.h"
+#include "cli/query_memory.h"
 #include "cli/usage_error.h"
 #include "orthoball/counted.h"
 #include "orthoball/error.h"
@@ -111,6 +112,8 @@ void run(const LocateOptions& options) {
   progress.begin(Stage::locating);
   std::visit(
       [&]<int D>(const orthoball::Filtration<D>& filtration) {
+        require_memory(options.input, locate_memory(D, filtration.size(), query.size()),
+                       "locating " + orthoball::counted(query.size(), "point"));
         const orthoball::EditedShape<D> shape = edited_shape(filtration, alpha.index, wanted);
         const std::vector<orthoball::Location<D>> locations =
             locate(shape.complex, query, threads_of(options.input));

@@ -15,6 +15,7 @@
 #include "cli/data_options.h"
 #include "cli/input_options.h"
 #include "cli/output_file.h"
+#include "cli/query_memory.h"
 #include "cli/signature_picture.h"
 #include "cli/usage_error.h"
 #include "orthoball/output/persistence_plot.h"
@@ -79,15 +80,51 @@ void write_plot(const PersistenceOptions& options, const Loaded& input,
   });
 }
 
+// What representatives take, in bytes, once they are found and once they are a mesh.
+std::uint64_t bytes_of(const orthoball::Representative& one) {
+  std::size_t numbers = one.rows.size() + one.cycle.size() + one.cells.size();
+  for (const auto& ring : one.rings) numbers += ring.size() + 8;
+  return sizeof(one) + sizeof(std::uint32_t) * numbers;
+}
+constexpr std::uint64_t kMeshOfFound = 4;
+
+// Of those found so far, of which there may be many that have much; asks for memory ahead.
+class Found {
+ public:
+  Found(const InputOptions& input, bool is_mesh) : input_(input), is_mesh_(is_mesh) {}
+
+  void add(orthoball::Representative&& one) {
+    bytes_ += bytes_of(one);
+    if (bytes_ > asked_) {
+      asked_ = bytes_ + kAhead;
+      require_memory(input_, kAhead + (is_mesh_ ? kMeshOfFound * asked_ : 0),
+                     "what makes the classes");
+    }
+    all_.push_back(std::move(one));
+  }
+  [[nodiscard]] const std::vector<orthoball::Representative>& all() const { return all_; }
+
+ private:
+  static constexpr std::uint64_t kAhead = std::uint64_t{16} << 20U;
+
+  const InputOptions& input_;
+  bool is_mesh_;
+  std::uint64_t bytes_ = 0, asked_ = 0;
+  std::vector<orthoball::Representative> all_;
+};
+
 // What makes the classes that are written, of those that live where they are to be shown.
 template <int D>
 void write_representatives(const PersistenceOptions& options, const Loaded& input,
                            const orthoball::Filtration<D>& filtration,
                            const orthoball::PersistencePairs<D>& pairs) {
+  require_memory(options.input, representatives_memory(D, filtration.size()),
+                 "what makes the classes");
+  const bool is_mesh = ending_of(options.representatives) == "ply";
   const auto all = orthoball::persistence_pairs(filtration, orthoball::WantedPairs::all,
                                                 threads_of(options.input));
   orthoball::Representatives<D> representatives(filtration, all);
-  std::vector<orthoball::Representative> found;
+  Found found(options.input, is_mesh);
   for (int k = 0; k < D; ++k) {
     for (const orthoball::PersistencePair& pair : pairs[static_cast<std::size_t>(k)]) {
       const std::uint32_t index =
@@ -97,15 +134,15 @@ void write_representatives(const PersistenceOptions& options, const Loaded& inpu
                     alpha2_from_text("--representatives-alpha2", options.representatives_alpha2));
       const bool is_over = pair.death.exists() && filtration.enters(pair.death) <= index;
       if (is_over || filtration.enters(pair.birth) > index) continue;
-      found.push_back(representatives.at(k, pair, index));
+      found.add(representatives.at(k, pair, index));
     }
   }
   const std::size_t missing =
       write_output(options.representatives, "null", [&](orthoball::ByteSink& sink) {
-        if (ending_of(options.representatives) == "ply") {
-          write_representatives_ply<D>(sink, filtration, input.shapes.points(), found);
+        if (is_mesh) {
+          write_representatives_ply<D>(sink, filtration, input.shapes.points(), found.all());
         } else {
-          write_representatives_json<D>(sink, filtration, found);
+          write_representatives_json<D>(sink, filtration, found.all());
         }
       });
   warn_of_missing(options.input, missing, "null");

@@ -17,6 +17,7 @@
 #include "cli/manifold_report.h"
 #include "cli/named_outputs.h"
 #include "cli/output_file.h"
+#include "cli/query_memory.h"
 #include "cli/usage_error.h"
 #include "orthoball/counted.h"
 #include "orthoball/output/mesh.h"
@@ -199,6 +200,7 @@ void write_shape(const ShapeOptions& options, const Loaded& input,
   auto shape = edited_shape(filtration, alpha.index, edits(options.edits));
   std::optional<Solid<D>> solid;
   if (options.manifold) {
+    require_memory(options.input, manifold_memory(D, filtration.size()), "the closed surface");
     solid = {manifold_solid(shape.complex), dropped_simplices(shape.complex)};
   }
   MissingNumbers missing;

@@ -18,11 +18,13 @@
 #include "cli/commands.h"
 #include "cli/input_options.h"
 #include "cli/output_file.h"
+#include "cli/query_memory.h"
 #include "cli/usage_error.h"
 #include "cli/viewer_page.h"
 #include "orthoball/error.h"
 #include "orthoball/output/page.h"
 #include "orthoball/output/snapshot.h"
+#include "orthoball/output/snapshot_cycles.h"
 
 extern char** environ;
 
@@ -129,10 +131,13 @@ void run(const ViewOptions& options) {
   const orthoball::SnapshotFacts facts = facts_of(options, input);
   progress.begin(Stage::writing_page);
   std::visit(
-      [&](const auto& filtration) {
+      [&]<int D>(const orthoball::Filtration<D>& filtration) {
+        const std::size_t size = filtration.size();
+        const bool has_cycles = D == 3 && size <= orthoball::kMostSimplicesForCycles;
         require_memory(options.input,
-                       orthoball::signature_memory(filtration.size()) +
-                           orthoball::persistence_memory(filtration.size(), false) +
+                       orthoball::signature_memory(size) +
+                           (has_cycles ? representatives_memory(D, size)
+                                       : orthoball::persistence_memory(size, false)) +
                            std::uint64_t{48} * filtration.spectrum_size(),
                        "the page");
       },

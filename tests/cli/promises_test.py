@@ -22,6 +22,12 @@ import xml.etree.ElementTree
 
 from program import C60, EIGHT, InAFolder, MALFORMED, PROGRAM, ROOT, SAMPLES, TWO_BALLS, orthoball
 
+TORI = SAMPLES / "linked_tori.csv"
+# What commands are given beside INPUT, if they read another file.
+BESIDE = {"locate": [C60], "enforce": [ROOT / "tests" / "cli" / "edge.txt"]}
+COMMANDS = ["summary", "signatures", "filter", "measure", "pockets", "alpha", "persistence", "locate",
+            "enforce"]  # that write to standard output
+
 
 class ExitStatuses(InAFolder):
     def test_wrong_usage_is_2(self):
@@ -55,21 +61,50 @@ class ExitStatuses(InAFolder):
             ["shape", EIGHT, "-o", self.folder / "surface.stl"],
             ["filter", C60, "--format", "xml"],
             ["summary", "-"],
+            ["alpha"],
+            ["alpha", C60, "--resamples", "-1"],
+            ["alpha", C60, "--seed", "one"],
+            ["alpha", C60, "--alpha2", "1"],
+            ["alpha", C60, "--format", "xml"],
+            ["persistence"],
+            ["persistence", C60, "--homology-dimension", "3"],
+            ["persistence", EIGHT, "--homology-dimension", "2"],
+            ["persistence", C60, "--minimum-length", "-1"],
+            ["persistence", C60, "--plot-kind", "barcode"],
+            ["persistence", C60, "--format", "ply"],
+            ["persistence", C60, "--representatives", self.folder / "classes.csv"],
+            ["locate", C60],
+            ["locate", C60, C60, "--alpha2", "1,2"],
+            ["locate", C60, C60, "--region", "0"],
+            ["locate", C60, C60, "--query-format", "xml"],
+            ["enforce", C60],
+            ["enforce", C60, *BESIDE["enforce"], "--alpha2", "1,2"],
+            ["enforce", C60, *BESIDE["enforce"], "--index", "100000"],
         ]:
             with self.subTest(arguments=arguments):
                 self.refused(2, *arguments)
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_an_empty_value_is_not_the_same_as_none(self):
-        commands = ["summary", "signatures", "shape", "filter", "measure", "pockets"]
-        options = {"--alpha2": commands, "--alpha": commands, "--inverse-alpha": commands,
-                   "--index": commands, "--columns": commands, "--radius-column": commands,
+        commands = ["shape", *COMMANDS]
+        alphas = [command for command in commands if command not in ["alpha", "persistence"]]
+        tables = [command for command in commands if command != "enforce"]
+        edits = ["shape", "locate"]
+        options = {"--alpha2": alphas, "--alpha": alphas, "--inverse-alpha": alphas,
+                   "--index": alphas, "--columns": commands, "--radius-column": commands,
                    "--weight-column": commands, "--radii": commands, "--default-radius": commands,
                    "--model": commands, "--altloc": commands, "--chain": commands,
                    "--waters": commands, "--input-format": commands, "--dimension": commands,
                    "--threads": commands, "--memory-limit": commands, "--progress": commands,
-                   "--output": commands, "--format": commands, "--samples": ["signatures"],
-                   "--plot": ["signatures"], "--plot-axis": ["signatures"],
+                   "--output": commands, "--format": tables, "--samples": ["signatures"],
+                   "--plot": ["signatures", "persistence"],
+                   "--plot-axis": ["signatures", "persistence"], "--plot-kind": ["persistence"],
+                   "--homology-dimension": ["persistence"], "--minimum-length": ["persistence"],
+                   "--representatives": ["persistence"],
+                   "--representatives-alpha2": ["persistence"], "--resamples": ["alpha"],
+                   "--seed": ["alpha"], "--query-format": ["locate"], "--query-columns": ["locate"],
+                   "--hole-threshold": edits, "--region-threshold": edits, "--region": edits,
+                   "--changes": ["shape"], "--weights": commands,
                    "--plot-range": ["signatures"], "--probe": ["measure", "pockets"],
                    "--per-atom": ["measure"], "--per-residue": ["measure"], "--voids": ["measure"],
                    "--contacts": ["measure"], "--derivatives": ["measure"],
@@ -81,8 +116,11 @@ class ExitStatuses(InAFolder):
             for command in where:
                 with self.subTest(option=option, command=command):
                     self.assertIn(f"{option}: the value is empty",
-                                  self.refused(2, command, C60, option, ""))
+                                  self.refused(2, command, C60, *BESIDE.get(command, []), option,
+                                               ""))
         self.assertIn("INPUT: the value is empty", self.refused(2, "summary", ""))
+        self.assertIn("QUERY: the value is empty", self.refused(2, "locate", C60, ""))
+        self.assertIn("SIMPLICES: the value is empty", self.refused(2, "enforce", C60, ""))
 
     def test_values_that_an_option_does_not_take_are_refused_in_words(self):
         for option, value, words in [
@@ -142,14 +180,45 @@ class ExitStatuses(InAFolder):
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_too_little_memory_is_3_and_says_how_much_is_needed(self):
-        text = self.refused(3, "summary", C60, "--memory-limit", "1000")
-        self.assertRegex(text, r"about .+ of memory needed, .+ of the limit of 1000 bytes")
-        self.assertIn("--memory-limit", text)
+        for command in COMMANDS:
+            text = self.refused(3, command, C60, *BESIDE.get(command, []), "--memory-limit", "1000")
+            self.assertRegex(text, r"about .+ of memory needed, .+ of the limit of 1000 bytes")
+            self.assertIn("--memory-limit", text)
         output = self.folder / "filter.csv"
         self.refused(3, "filter", C60, "-o", output, "--memory-limit", "1M")
         self.assertEqual(list(self.folder.iterdir()), [])
         for size in ["2G", "2g", "2GiB", "2000 MB", "4.5T", "3000000000", "3000000000B"]:
             self.done("summary", C60, "--memory-limit", size)
+
+    def test_what_is_asked_of_the_shapes_needs_memory_as_well(self):
+        # Wherever the limit lies below what is enough, the status is 3 and no file is left.
+        points = self.file("points.csv", "".join(
+            f"{i * 7919 % 10007},{i * 104729 % 10009},{i * 611953 % 10037}\n" for i in range(20000)))
+        output = self.folder / "out.ply"
+        for words, arguments in [
+            ("the candidates for alpha", ["alpha"]),
+            ("a resample", ["alpha", "--resamples", "1"]),
+            ("the candidates for alpha", ["summary", "--alpha2", "auto:solid"]),
+            ("what makes the classes", ["persistence", "--homology-dimension", "2", "-o", os.devnull,
+                                        "--representatives", output]),
+            ("locating 20000 points", ["locate", points, "--alpha2", "30000"]),
+        ]:
+            with self.subTest(arguments=arguments):
+                command = [arguments[0], points, *arguments[1:], "--threads", "1", "--quiet"]
+                refused, low, high = set(), 16, 256
+                while high - low > 1:
+                    limit = (low + high) // 2
+                    result = orthoball(*command, "--memory-limit", f"{limit}M")
+                    if result.returncode == 0:
+                        high = limit
+                        output.unlink(missing_ok=True)
+                    else:
+                        low = limit
+                        self.assertEqual((result.returncode, result.stdout), (3, ""))
+                        refused.add(result.stderr.split(": about ")[0].split(": ")[-1])
+                        self.assertEqual(list(self.folder.iterdir()), [points])
+                self.assertLess(high, 256)
+                self.assertIn(words, refused)
 
     def test_memory_that_the_system_refuses_is_3(self):
         points = self.file("points.csv", "".join(f"{i},{i * i % 1009},{i * i % 10007}\n"
@@ -180,16 +249,17 @@ class ExitStatuses(InAFolder):
 
     def test_standard_output_that_is_full_or_closed_is_3(self):
         with open("/dev/full", "w", encoding="utf-8") as full:
-            for arguments in [["summary", C60], ["filter", C60], ["measure", C60],
-                              ["pockets", C60], ["--help"]]:
+            for arguments in [*([command, C60, *BESIDE.get(command, [])] for command in COMMANDS),
+                              ["--help"]]:
                 result = subprocess.run([PROGRAM, *arguments], stdout=full, stderr=subprocess.PIPE,
                                         text=True, check=False)
                 self.assertEqual(result.returncode, 3, arguments)
                 self.assertIn("standard output", result.stderr)
 
     def test_a_reader_that_needs_no_more_is_3_without_a_word(self):
-        for arguments in [["filter", SAMPLES / "linked_tori.csv"], ["summary", EIGHT], ["measure", C60],
-                          ["--help"]]:
+        for arguments in [["filter", TORI], ["summary", EIGHT], ["measure", C60], ["alpha", TORI],
+                          ["persistence", TORI], ["locate", TORI, TORI, "--alpha2", "1"],
+                          ["enforce", TORI, *BESIDE["enforce"]], ["--help"]]:
             reader, writer = os.pipe()
             os.close(reader)
             result = subprocess.run([PROGRAM, *arguments], stdout=writer, stderr=subprocess.PIPE,
@@ -200,14 +270,14 @@ class ExitStatuses(InAFolder):
     def test_help_and_version_are_data(self):
         self.assertIn("summary", self.done("--help").stdout)
         self.assertRegex(self.done("--version").stdout, r"\Aorthoball \d+\.\d+\.\d+\n\Z")
-        for command in ["summary", "signatures", "shape", "locate", "filter", "measure", "pockets"]:
+        for command in ["shape", *COMMANDS]:
             text = self.done(command, "--help").stdout
-            self.assertIn("--alpha2", text)
+            if command != "persistence":
+                self.assertIn("--alpha2", text)
             self.assertIn("Examples:", text)
 
     def test_help_has_lines_of_100_characters_at_most(self):
-        for arguments in [[], ["summary"], ["signatures"], ["shape"], ["locate"], ["filter"],
-                          ["measure"], ["pockets"]]:
+        for arguments in [[], ["shape"], ["view"], *([command] for command in COMMANDS)]:
             text = self.done(*arguments, "--help").stdout
             self.assertLessEqual(max(map(len, text.splitlines())), 100)
 
@@ -306,6 +376,11 @@ class Files(InAFolder):
                           ["signatures", points, "-o", self.folder / ".." / self.folder.name / "points.txt"],
                           ["signatures", points, "--plot", self.folder / "link.svg"],
                           ["shape", points, "-o", points, "--format", "ply"],
+                          ["alpha", points, "-o", points],
+                          ["persistence", points, "-o", points],
+                          ["persistence", points, "--plot", self.folder / "link.svg"],
+                          ["locate", points, C60, "-o", points],
+                          ["enforce", points, *BESIDE["enforce"], "-o", points],
                           ["filter", self.folder / "link.svg", "-o", points, "--input-format", "table"]]:
             self.assertIn("is the input", self.refused(2, *arguments))
         self.assertEqual(points.read_text(), "0 0\n1 0\n0 1\n")
@@ -366,9 +441,11 @@ class Streams(InAFolder):
         self.assertEqual(self.done("summary", C60).stderr, "")
 
     def test_results_do_not_depend_on_threads(self):
-        one = self.done("filter", C60, "--threads", "1").stdout
-        self.assertEqual(self.done("filter", C60, "--threads", "3").stdout, one)
-        self.assertEqual(self.done("filter", C60).stdout, one)
+        for command in COMMANDS:
+            arguments = [command, C60, *BESIDE.get(command, [])]
+            one = self.done(*arguments, "--threads", "1").stdout
+            self.assertEqual(self.done(*arguments, "--threads", "3").stdout, one)
+            self.assertEqual(self.done(*arguments).stdout, one)
 
     def on_a_terminal(self, *arguments, pause=0.0):
         """What is drawn on a terminal by a program whose input comes after a pause."""
@@ -443,6 +520,14 @@ class EmptyComplex(InAFolder):
             said = self.said("shape", EIGHT, "--index", "0", "-o", output).stderr
             self.assertIn("orthoball: index 0, the empty complex: 0 regular edges", said)
             self.assertIn(words, output.read_bytes())
+
+    def test_holds_no_point(self):
+        row = next(csv.DictReader(io.StringIO(
+            self.said("locate", EIGHT, EIGHT, "--index", "0").stdout)))
+        self.assertEqual((row["inside"], row["region"], row["distance"], row["nearest"]),
+                         ("0", "", "", ""))
+        self.assertIn("index 0, the empty complex",
+                      self.said("locate", EIGHT, EIGHT, "--index", "0").stderr)
 
     def test_is_not_taken_for_an_alpha2_below_the_double_range(self):
         path = self.file("huge.xyzr", "0 0 0 1e200\n3e200 0 0 1\n0 0 1 1\n")

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "generators/cases.h"
+#include "generators/point_families.h"
+#include "generators/random.h"
 #include "matchers/describe.h"
 #include "oracles/closed_manifold.h"
 #include "orthoball/output/mesh.h"
@@ -112,6 +114,66 @@ TEST(ManifoldSolid, HasNoCellThatCouldBeChangedBack) {
   });
 }
 
+// Sites on a sphere or circle, then its centre, which all cells have; of these a random half.
+struct Cone {
+  WeightedPoints points;
+  std::vector<bool> cells;
+};
+
+template <int D>
+Cone cone(std::size_t count, std::uint64_t seed) {
+  const WeightedPoints sphere =
+      generators::points_of(generators::PointFamily::near_sphere, D, count, seed);
+  std::vector<double> coordinates;
+  for (std::size_t row = 0; row < count; ++row) {
+    for (int axis = 0; axis < D; ++axis) coordinates.push_back(sphere.coordinate(row, axis));
+  }
+  coordinates.insert(coordinates.end(), D, 0.0);
+  Cone cone{WeightedPoints(D, coordinates, WeightKind::none, {}), std::vector<bool>(3 * count)};
+  generators::Random random(seed);
+  for (std::size_t cell = 0; cell < cone.cells.size(); ++cell) cone.cells[cell] = random.coin();
+  return cone;
+}
+
+template <int D>
+AlphaComplex<D> complex_of(const Filtration<D>& filtration, const std::vector<bool>& cells) {
+  std::vector<SimplexId> chosen;
+  for (std::uint32_t cell = 0; cell < filtration.count(D); ++cell) {
+    if (cells[cell]) chosen.emplace_back(filtration.table().first(D) + cell);
+  }
+  return {filtration, filtration.spectrum_size(), chosen};
+}
+
+// Takes minutes if the work grows with more than the number of cells around the vertex.
+template <int D>
+void check_cone(std::size_t count, bool tries_all) {
+  const Cone one = cone<D>(count, count);
+  const Filtration<D> filtration(regular_triangulation<D>(one.points));
+  const std::uint32_t last = filtration.spectrum_size();
+  ManifoldSolid<D> solid = manifold_solid(complex_of(filtration, one.cells));
+  EXPECT_GT(solid.offending.size(), D == 3 ? count / 5 : 0);
+  EXPECT_FALSE(solid.changes.empty());
+  const auto file = written(filtration, one.points, last, solid.contains);
+  EXPECT_TRUE(file.faults.empty()) << matchers::described(file.faults);
+  EXPECT_NEAR(file.volume, solid.volume, 1e-9);
+  for (const SolidChange<D>& change : solid.changes) {
+    if (!tries_all) break;
+    for (const SimplexId cell : change.cells) {
+      const std::uint32_t number = cell.row() - filtration.table().first(D);
+      solid.contains[number] = !solid.contains[number];
+      EXPECT_FALSE(written(filtration, one.points, last, solid.contains).faults.empty());
+      solid.contains[number] = !solid.contains[number];
+    }
+  }
+}
+
+TEST(ManifoldSolid, IsFoundAroundOneVertexOfHighDegree) {
+  check_cone<3>(300, true);
+  check_cone<2>(300, true);
+  check_cone<3>(10'000, false);
+  check_cone<2>(10'000, false);
+}
+
 TEST(ManifoldSolid, DoesNotDependOnTheOrderOfRows) {
   for (const Case& one : generators::cases(1, 10, 80)) {
     SCOPED_TRACE(::testing::Message() << one);
@@ -127,6 +189,12 @@ TEST(ManifoldSolid, DoesNotDependOnTheOrderOfRows) {
     EXPECT_EQ(a.added, b.added);
     EXPECT_EQ(a.removed, b.removed);
   }
+  const Cone one = cone<3>(500, 1);
+  const auto rows = generators::random_permutation(one.points.size(), 1);
+  const Filtration<3> one_way(regular_triangulation<3>(one.points));
+  const Filtration<3> other_way(regular_triangulation<3>(generators::with_rows(one.points, rows)));
+  EXPECT_EQ(manifold_solid(complex_of(one_way, one.cells)).contains,
+            manifold_solid(complex_of(other_way, one.cells)).contains);
 }
 
 }  // namespace

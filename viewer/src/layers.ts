@@ -3,7 +3,7 @@
 // What is drawn, by name: which of it is seen in a state, and in what colour. Beside the layers that
 // people choose from there are the balls on the boundary and all of them, the voids (walls of them; in
 // the plane all of a hole), the simplices of one dimension by themselves, "apart_2", for moving apart, and
-// the one that was picked, "picked_2".
+// the one that was picked, "picked_2", and what makes the class that is shown, "class_1" its edges.
 
 import { kDimensionColours, kRoleColours, type Rgb } from './palette';
 import { isShown, kExplodedParts, type Layer, type State } from './state';
@@ -26,6 +26,7 @@ export function isVisible(name: string, state: State): boolean {
       name === `picked_${state.picked?.dimension}` &&
       (apart < 0 || apart === state.picked?.dimension)
     );
+  if (name.startsWith('class_')) return apart < 0 && state.shownClass !== null;
   if (apart >= 0) return false; // simplices by themselves are seen alone
   if (name === 'voids') return state.colour === 'void';
   const clips = state.clipAxis !== 'off'; // then balls inside are seen too
@@ -64,7 +65,8 @@ export function hasOwnColours(name: string, isPlanar: boolean): boolean {
 /** Layers that have their colour whatever others are coloured by. */
 export function keepsColour(name: string): boolean {
   return (
-    name.startsWith('picked_') || ['points', 'power_cells', 'trace', 'wireframe'].includes(name)
+    name.startsWith('picked_') ||
+    name.startsWith('class_') || ['points', 'power_cells', 'trace', 'wireframe'].includes(name)
   );
 }
 

@@ -14,6 +14,7 @@ import {
   type Layer,
   type State,
 } from './state';
+import { beginOf, lifeBegunBy } from './persistence';
 import type { Snapshot } from './types';
 
 const kWords = {
@@ -52,6 +53,8 @@ export function linkText(state: State, start: State, camera: Camera | null): str
     parts.set('panels', state.panels.join(' '));
   if (state.diagram !== start.diagram) parts.set('diagram', state.diagram ? 'shown' : 'hidden');
   if (state.picked) parts.set('picked', `${state.picked.dimension} ${state.picked.simplex}`);
+  if (state.shownClass)
+    parts.set('class', `${state.shownClass.dimension} ${state.shownClass.simplex}`);
   if (camera)
     parts.set(
       'camera',
@@ -116,5 +119,8 @@ export function stateFromLink(
   if (Number.isInteger(simplex) && simplex >= 0 && simplex < count) {
     state = { ...state, picked: { dimension, simplex } };
   }
+  const [k, begun] = (parts.get('class') ?? '').split(' ').map(Number);
+  const life = lifeBegunBy(snapshot, { dimension: k, simplex: begun });
+  if (life) state = { ...state, shownClass: beginOf(life) };
   return { state, camera: cameraOf(parts.get('camera')) };
 }

@@ -18,6 +18,12 @@ export const kRoleColours = {
   interior: [158, 172, 190],
 } as const satisfies Record<string, Rgb>;
 
+/** [dimension] of a class of cycles, as the persistence diagram has it. */
+export const kClassColours: readonly Rgb[] = [
+  [0, 114, 178],
+  [213, 94, 0],
+  [0, 158, 115],
+];
 export const kPickedColour: Rgb = [255, 48, 128];
 
 export const kDimensionColours: readonly Rgb[] = [

@@ -4,6 +4,7 @@
 // it ends.
 
 import { countAtMost } from './alpha';
+import type { Picked } from './state';
 import { kNone, type Snapshot } from './types';
 
 /** One class of cycles. */
@@ -15,9 +16,22 @@ export interface Life {
   death: number;
   /** The simplex of its dimension that begins it. */
   begun: number;
+  /** The simplex of the next dimension that ends it; kNone for never. */
+  ended: number;
 }
 
+const kLivesOf = new WeakMap<Snapshot, Life[]>();
+
+/** All of them, always the same objects. */
 export function livesOf(snapshot: Snapshot): Life[] {
+  const known = kLivesOf.get(snapshot);
+  if (known) return known;
+  const lives = madeLives(snapshot);
+  kLivesOf.set(snapshot, lives);
+  return lives;
+}
+
+function madeLives(snapshot: Snapshot): Life[] {
   const never = snapshot.spectrum.length + 1;
   return snapshot.persistence.flatMap((pairs, dimension) => {
     const [enters, ends] = [dimension, dimension + 1].map((k) => snapshot.simplices[k].enters);
@@ -28,9 +42,22 @@ export function livesOf(snapshot: Snapshot): Life[] {
         birth: enters[begun],
         death: ended === kNone ? never : ends[ended],
         begun,
+        ended,
       };
     });
   });
+}
+
+/** The class that a simplex begins; null for none. */
+export function lifeBegunBy(snapshot: Snapshot, begin: Picked | null): Life | null {
+  const is = (life: Life) =>
+    life.dimension === begin?.dimension && life.begun === begin.simplex;
+  return begin ? (livesOf(snapshot).find(is) ?? null) : null;
+}
+
+/** The simplex that begins a class. */
+export function beginOf({ dimension, begun }: Life): Picked {
+  return { dimension, simplex: begun };
 }
 
 export function isAlive({ birth, death }: Life, index: number): boolean {

@@ -133,8 +133,8 @@ export class PersistenceDiagram {
     });
   }
 
-  /** @param hovered  the one under the mouse. */
-  draw(index: number, hovered: Life | null): void {
+  /** @param marked  the one under the mouse, and that which was chosen. */
+  draw(index: number, marked: readonly (Life | null)[]): void {
     const { context, side, look } = this;
     if (!look) return;
     context.clearRect(0, 0, side, side);
@@ -158,11 +158,13 @@ export class PersistenceDiagram {
     context.lineTo(x, y);
     context.lineTo(0, y);
     context.stroke();
-    const at = hovered ? this.lives.indexOf(hovered) : -1;
-    if (at < 0) return;
-    context.beginPath();
-    context.arc(this.x[at], this.y[at], 6, 0, 2 * Math.PI);
-    context.stroke();
+    for (const life of marked) {
+      const at = life ? this.lives.indexOf(life) : -1;
+      if (at < 0) continue;
+      context.beginPath();
+      context.arc(this.x[at], this.y[at], 6, 0, 2 * Math.PI);
+      context.stroke();
+    }
   }
 
   /** The life nearest to a place, CSS pixels from the left and the top, within a few; null for none. */

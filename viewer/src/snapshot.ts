@@ -8,6 +8,7 @@ import {
   kNone,
   type ArrayEntry,
   type ArrayName,
+  type Cycles,
   type Facts,
   type LabelName,
   type Labels,
@@ -258,6 +259,19 @@ function pairsOf(file: PackedFile, simplices: readonly Simplices[], dimension: n
   return pairs;
 }
 
+function cyclesOf(file: PackedFile, facts: Facts): Cycles {
+  const [count, length] = [facts.cycles ?? 0, facts.cycle_edges ?? 0];
+  const none = new Uint32Array(0);
+  if (facts.dimension === 2) return { pairs: none, ends: none, edges: none };
+  const ends = file.numbersBelow(length + 1, 'cycle_ends', count);
+  if (ends.some((end, i) => end < (i > 0 ? ends[i - 1] : 0))) throw damaged('cycle_ends descend');
+  return {
+    pairs: file.numbersBelow(facts.pairs_1, 'cycle_pairs', count),
+    ends,
+    edges: file.numbersBelow(facts.edges, 'cycle_edges', length),
+  };
+}
+
 function labelsOf(file: PackedFile, facts: Facts): Snapshot['labels'] {
   const labels: Snapshot['labels'] = {};
   for (const name of Object.keys(facts.dictionaries) as LabelName[]) {
@@ -306,6 +320,7 @@ export function readSnapshot(bytes: Uint8Array<ArrayBuffer>): Snapshot {
     areaRegular: file.reals('area_regular', s),
     length: D === 3 ? file.reals('length', s) : none,
     persistence: [0, 1, 2].slice(0, D).map((k) => pairsOf(file, simplices, k)),
+    cycles: cyclesOf(file, facts),
     line: file.has('line') ? file.numbers('line', facts.sites) : new Uint32Array(0),
     labels: labelsOf(file, facts),
   };

@@ -18,8 +18,10 @@ import { componentsAt, distancesAt } from './connections';
 import { dimensionApart, spreadOf } from './layers';
 import { bondsOf, traceOf } from './molecule';
 import { changesWithIndex, colouringOf, type Colouring, type Rgb } from './palette';
+import { lifeBegunBy } from './persistence';
 import { pickables } from './pickable';
 import { pick } from './picking';
+import { representativeOf } from './representative';
 import { Scene, type FrameReport } from './scene/scene';
 import { ShapeModel } from './shape_model';
 import type { Picked, State } from './state';
@@ -52,6 +54,7 @@ export class Stage {
   private settling = 0;
   private coloured = '';
   private offset = '';
+  private shownClass = '';
   private background: Rgb = [255, 255, 255];
   private isDark = false;
   private readonly stop = new AbortController();
@@ -105,7 +108,8 @@ export class Stage {
     }
     // What takes time for the whole complex waits until the slider rests, but for the first time.
     clearTimeout(this.settling);
-    if (this.coloured === '' || !changesWithIndex(state.colour)) this.settle();
+    const isSlow = changesWithIndex(state.colour) || state.shownClass !== null;
+    if (this.coloured === '' || !isSlow) this.settle();
     else this.settling = window.setTimeout(() => this.settle(), 60);
     this.draw();
   }
@@ -119,6 +123,7 @@ export class Stage {
       this.scene.setColouring(colouring, state);
       this.events.coloured(colouring);
     }
+    this.showClass();
     const parts = state.explosion > 0 && state.explodedPart === 'components';
     const source =
       state.wave !== null && state.picked
@@ -131,6 +136,18 @@ export class Stage {
     }
     this.offset = offset;
     this.draw();
+  }
+
+  // What makes the class that was chosen, where it lives.
+  private showClass(): void {
+    const life = lifeBegunBy(this.snapshot, this.state.shownClass);
+    const shown = life ? `${life.dimension}.${life.begun} ${this.state.index}` : '';
+    if (shown === this.shownClass) return;
+    this.shownClass = shown;
+    if (life) {
+      const made = representativeOf(this.snapshot, life, this.state.index);
+      this.scene.setClass(made, life.dimension);
+    }
   }
 
   private movesOf(parts: boolean): Float32Array {
@@ -286,7 +303,7 @@ export class Stage {
       'webglcontextrestored',
       () => {
         this.events.available(true);
-        this.coloured = '';
+        this.coloured = this.shownClass = '';
         this.settle();
         this.drawNow();
       },

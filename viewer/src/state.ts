@@ -80,6 +80,8 @@ export interface State {
   /** Names of quantities. */
   panels: readonly string[];
   picked: Picked | null;
+  /** The simplex that begins the class of cycles that is shown. */
+  shownClass: Picked | null;
   /** Share of the way that the wave's front has run from the picked simplex; null without. */
   wave: number | null;
 }
@@ -125,6 +127,7 @@ export function startState(snapshot: Snapshot): State {
     diagram: true,
     panels: inSpace ? ['betti_1', 'betti_2', 'volume'] : ['betti_0', 'betti_1', 'volume'],
     picked: null,
+    shownClass: null,
     wave: null,
   };
 }

@@ -40,6 +40,9 @@ export const kArrays = {
   persistence_0: ['u32'],
   persistence_1: ['u32'],
   persistence_2: ['u32'],
+  cycle_pairs: ['u32'],
+  cycle_ends: ['u32'],
+  cycle_edges: ['u32'],
   line: ['u32'],
   element: ['u32'],
   atom: ['u32'],
@@ -83,6 +86,8 @@ export interface Facts {
   pairs_0: number;
   pairs_1: number;
   pairs_2?: number;
+  cycles?: number;
+  cycle_edges?: number;
   notable: Notable[];
   dictionaries: Partial<Record<LabelName, string[]>>;
 }
@@ -123,6 +128,15 @@ export interface Labels {
   codes: Uint32Array;
 }
 
+/** Cycles around tunnels, one after the other. */
+export interface Cycles {
+  /** [cycle]: whose, by number of the pair of dimension 1; ascending. */
+  pairs: Uint32Array;
+  /** [cycle]: where its edges end. */
+  ends: Uint32Array;
+  edges: Uint32Array;
+}
+
 /** A snapshot, read and completed. Nothing in it changes. */
 export interface Snapshot {
   facts: Facts;
@@ -156,6 +170,8 @@ export interface Snapshot {
    * the next that ends it, kNone for never. Classes that live at one index at least.
    */
   persistence: Uint32Array[];
+  /** Of some tunnels in space. */
+  cycles: Cycles;
   /** [row]: line of the input; empty where it has none. */
   line: Uint32Array;
   labels: Partial<Record<LabelName, Labels>>;

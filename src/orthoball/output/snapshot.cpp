@@ -15,6 +15,7 @@
 
 #include "orthoball/filtration/alpha.h"
 #include "orthoball/output/packed_arrays.h"
+#include "orthoball/output/snapshot_cycles.h"
 #include "orthoball/signatures/signature.h"
 #include "orthoball/topology/persistence.h"
 #include "orthoball/version.h"
@@ -134,7 +135,8 @@ void write_start(ByteSink& json, const SnapshotFacts& facts) {
 // The members of the header.
 template <int D>
 std::string facts_text(const Filtration<D>& filtration, const SnapshotFacts& facts,
-                       const Labels& labels, const PersistencePairs<D>& pairs) {
+                       const Labels& labels, const PersistencePairs<D>& pairs,
+                       const SnapshotCycles& cycles) {
   const RegularTriangulation<D>& triangulation = filtration.triangulation();
   std::ostringstream out;
   ByteSink json(out, "null");
@@ -157,6 +159,10 @@ std::string facts_text(const Filtration<D>& filtration, const SnapshotFacts& fac
   count(",\"spectrum_size\":", filtration.spectrum_size());
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     count(",\"pairs_" + std::to_string(k) + "\":", pairs[k].size());
+  }
+  if (D == 3) {
+    count(",\"cycles\":", cycles.pairs.size());
+    count(",\"cycle_edges\":", cycles.edges.size());
   }
   write_notable(json, filtration);
   json.text(",\"dictionaries\":{");
@@ -292,25 +298,42 @@ void add_signatures(PackedArrays& arrays, const SignatureArrays<D>& signatures) 
 
 // By the number of the simplex that closes the cycle, which packs better than the order of births.
 template <int D>
+PersistencePairs<D> sorted_pairs(const Filtration<D>& filtration, Threads threads) {
+  PersistencePairs<D> pairs = persistence_pairs(filtration, WantedPairs::lasting, threads);
+  for (auto& of_dimension : pairs) {
+    std::sort(of_dimension.begin(), of_dimension.end(),
+              [](const auto& a, const auto& b) { return a.birth < b.birth; });
+  }
+  return pairs;
+}
+
+template <int D>
 void add_pairs(PackedArrays& arrays, const Filtration<D>& filtration,
                const PersistencePairs<D>& pairs) {
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     arrays.add("persistence_" + std::to_string(k), 2 * pairs[k].size(), 2,
                [&filtration, &of_dimension = pairs[k], k] {
-                 auto sorted = of_dimension;
-                 std::sort(sorted.begin(), sorted.end(),
-                           [](const auto& a, const auto& b) { return a.birth < b.birth; });
                  const int dimension = static_cast<int>(k);
                  const std::uint32_t first = filtration.table().first(dimension),
                                      first_filling = filtration.table().first(dimension + 1);
                  Numbers numbers;
-                 for (const auto& [birth, death] : sorted) {
+                 for (const auto& [birth, death] : of_dimension) {
                    numbers.push_back(birth.row() - first);
                    numbers.push_back(death.exists() ? death.row() - first_filling : kOutside);
                  }
                  return numbers;
                });
   }
+}
+
+void add_cycles(PackedArrays& arrays, const SnapshotCycles& cycles) {
+  const auto add = [&](const char* name, const std::vector<std::uint32_t>& numbers) {
+    arrays.add(name, numbers.size(), 1,
+               [&numbers] { return Numbers(numbers.begin(), numbers.end()); });
+  };
+  add("cycle_pairs", cycles.pairs);
+  add("cycle_ends", cycles.ends);
+  add("cycle_edges", cycles.edges);
 }
 
 void add_labels(PackedArrays& arrays, const SiteLabels& labels, const Labels& coded) {
@@ -330,7 +353,8 @@ template <int D>
 void write_snapshot(ByteSink& sink, const Filtration<D>& filtration, const WeightedPoints& points,
                     const SiteLabels& labels, const SnapshotFacts& facts, Threads threads) {
   const SignatureArrays<D> signatures(filtration, threads);
-  const PersistencePairs<D> pairs = persistence_pairs(filtration, WantedPairs::lasting, threads);
+  const PersistencePairs<D> pairs = sorted_pairs(filtration, threads);
+  const SnapshotCycles cycles = snapshot_cycles(filtration, pairs[1], threads);
   const Labels coded_labels = coded(labels);
   PackedArrays arrays;
   add_sites(arrays, points);
@@ -342,8 +366,9 @@ void write_snapshot(ByteSink& sink, const Filtration<D>& filtration, const Weigh
   add_simplices(arrays, filtration);
   add_signatures(arrays, signatures);
   add_pairs(arrays, filtration, pairs);
+  if (D == 3) add_cycles(arrays, cycles);
   add_labels(arrays, labels, coded_labels);
-  arrays.write(sink, facts_text(filtration, facts, coded_labels, pairs));
+  arrays.write(sink, facts_text(filtration, facts, coded_labels, pairs, cycles));
 }
 
 template void write_snapshot<2>(ByteSink&, const Filtration<2>&, const WeightedPoints&,

@@ -26,15 +26,16 @@ struct SnapshotFacts {
 
 /// Writes everything a viewer needs to show any alpha shape of a filtration, in one file of packed
 /// arrays: sites with their labels, the spectrum, all simplices with their three indices, Betti
-/// numbers and measures at every index, persistence pairs, notable alphas.
+/// numbers and measures at every index, persistence pairs, cycles of the tunnels that live longest,
+/// notable alphas.
 /// docs/file_formats/snapshot.md describes it; a test holds the two together.
 ///
 /// Exact: coordinates, weights and the spectrum are the doubles that this library reports, every
 /// index and number of simplices is kept. Measures are those doubles too, or rounded to 24 bits
 /// where there are more than kExactMeasures indices. The same bytes on any number of threads.
 ///
-/// Memory beyond the filtration: what persistence_pairs takes, 44 bytes an index, and one array at
-/// a time.
+/// Memory beyond the filtration: what persistence_pairs takes and, up to kMostSimplicesForCycles,
+/// Representatives; 44 bytes an index, and one array at a time.
 /// @param points  what the filtration was made of.
 /// @param labels  of its rows.
 /// @throws OutputError

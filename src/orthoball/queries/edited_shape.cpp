@@ -23,11 +23,16 @@ void check_threshold(std::optional<double> threshold, const std::string& name) {
          "; it must be 0 or more");
 }
 
+// Cells have a volume, though it may be rounded to 0.
+bool is_within(const Region& region, double threshold) {
+  return region.volume <= threshold && (threshold > 0.0 || region.cells.empty());
+}
+
 template <int D>
 void fill_holes(EditedShape<D>& shape, double threshold) {
   std::vector<SimplexId> simplices;
   for (const Region& hole : holes(shape.complex)) {
-    if (!(hole.volume <= threshold)) continue;
+    if (!is_within(hole, threshold)) continue;
     simplices.insert(simplices.end(), hole.cells.begin(), hole.cells.end());
     shape.volume_filled += hole.volume;
     ++shape.holes_filled;
@@ -47,7 +52,7 @@ void keep_regions(EditedShape<D>& shape, std::optional<double> threshold, std::u
   std::vector<SiteId> kept_rows;
   std::size_t kept = 0;
   for (const Region& region : all) {
-    if (threshold && region.volume <= *threshold) {
+    if (threshold && is_within(region, *threshold)) {
       ++shape.regions_dropped;
       shape.volume_dropped += region.volume;
       continue;

@@ -12,10 +12,12 @@ namespace orthoball {
 /// What is made of a shape, in this order.
 struct ShapeEdits {
   bool regularized = false;  ///< singular simplices are left out
-  /// Holes of at most this volume are filled: bounded components of the complement. length^D.
+  /// Holes of at most this volume are filled: bounded components of the complement. length^D; 0
+  /// fills none.
   std::optional<double> hole_threshold{};
   /// Regions of at most this volume are left out: components of what there is then. length^D; 0
-  /// leaves out those that are nothing but singular simplices.
+  /// leaves out those that are nothing but singular simplices, and keeps all with cells, though
+  /// their volume be too small for a double.
   std::optional<double> region_threshold{};
   std::uint32_t region = 0;  ///< only this one is left, 1 being the largest; 0: all are
 };

@@ -12,6 +12,10 @@
 // has cells that it has not given up, so that happens no more than once a vertex, and ends, at
 // worst, with no cells at all. In practice it hardly ever happens.
 //
+// A vertex with very many cells waits until no other has a step. Then its steps are found all at
+// once (part_steps) and those that still gain are taken, the cheapest first; that repeats until
+// none is. What a step changes there is known without looking at all of the cells (LargeStar).
+//
 // Last, cells are changed back, one after the other, where that brings no surplus: a step may have
 // made another one needless.
 #include "orthoball/queries/manifold_repair.h"
@@ -24,11 +28,13 @@
 #include <utility>
 
 #include "orthoball/measures/cell_gap.h"
+#include "orthoball/queries/part_steps.h"
 
 namespace orthoball {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kManyCells = 200;  // around a vertex; 27 are usual in space
 
 }  // namespace
 
@@ -46,6 +52,9 @@ ManifoldRepair<D>::ManifoldRepair(const Filtration<D>& filtration, const ScaledB
       version_(filtration.count(0), 0) {
   for (std::uint32_t vertex = 0; vertex < surplus_.size(); ++vertex) {
     surplus_[vertex] = surplus(vertex);
+    if (stars_.cells(vertex).size() > kManyCells) {
+      large_.emplace(vertex, LargeStar<D>(filtration, stars_, vertex, solid_));
+    }
   }
 }
 
@@ -183,20 +192,38 @@ std::vector<typename ManifoldRepair<D>::Step> ManifoldRepair<D>::steps(std::uint
   return steps;
 }
 
+// How much less the surplus of all vertices is after cells, of one side, change to the other; where
+// it is less than the least that is of use, it may be told as too much.
+template <int D>
+std::int64_t ManifoldRepair<D>::gain(std::span<const std::uint32_t> cells, std::int64_t least) {
+  std::int64_t gain = 0;
+  std::vector<const LargeStar<D>*> large;
+  turn(cells);
+  for (const std::uint32_t vertex : vertices_of(cells)) {
+    gain += surplus_[vertex];
+    if (const auto found = large_.find(vertex); found != large_.end()) {
+      large.push_back(&found->second);
+    } else {
+      gain -= surplus(vertex);
+    }
+  }
+  turn(cells);
+  for (const LargeStar<D>* const star : large) {
+    if (gain < least) break;
+    gain -= star->surplus_after(cells);
+  }
+  return gain;
+}
+
 // That which changes the least volume for each surplus part it takes away; one without cells if no
 // step takes any.
 template <int D>
 typename ManifoldRepair<D>::Step ManifoldRepair<D>::best_step(std::uint32_t vertex) {
   Step best;
   for (Step& step : steps(vertex)) {
-    std::int64_t gain = 0;
-    turn(step.cells);
-    for (const std::uint32_t affected : vertices_of(step.cells)) {
-      gain += std::int64_t{surplus_[affected]} - std::int64_t{surplus(affected)};
-    }
-    turn(step.cells);
-    if (gain <= 0) continue;
-    step.cost /= static_cast<double>(gain);
+    const std::int64_t taken = gain(step.cells, 1);
+    if (taken <= 0) continue;
+    step.cost /= static_cast<double>(taken);
     if (best.cells.empty() || step.cost < best.cost) best = std::move(step);
   }
   return best;
@@ -208,18 +235,32 @@ void ManifoldRepair<D>::wait(double cost, std::uint32_t vertex) {
   std::push_heap(waiting_.begin(), waiting_.end(), std::greater<>());
 }
 
+// All with surplus, but for those with very many cells.
+template <int D>
+void ManifoldRepair<D>::wait_all() {
+  for (const std::uint32_t vertex : offending()) {
+    if (large_.count(vertex) == 0) wait(-1.0, vertex);
+  }
+}
+
 // Steps depend on the cells around the vertices around theirs: all these vertices wait anew.
 template <int D>
-void ManifoldRepair<D>::apply(const Step& step) {
-  turn(step.cells);
+void ManifoldRepair<D>::apply(std::span<const std::uint32_t> cells) {
+  ++applied_count_;
+  turn(cells);
   std::vector<std::uint32_t> around;
-  for (const std::uint32_t vertex : vertices_of(step.cells)) {
+  for (const std::uint32_t vertex : vertices_of(cells)) {
+    if (const auto large = large_.find(vertex); large != large_.end()) {
+      large->second.turn(cells);
+      surplus_[vertex] = large->second.surplus();
+      continue;
+    }
     surplus_[vertex] = surplus(vertex);
     const auto star = stars_.cells(vertex);
     around.insert(around.end(), star.begin(), star.end());
   }
   for (const std::uint32_t vertex : vertices_of(around)) {
-    if (surplus_[vertex] > 0) wait(-1.0, vertex);
+    if (surplus_[vertex] > 0 && large_.count(vertex) == 0) wait(-1.0, vertex);
   }
 }
 
@@ -232,7 +273,37 @@ void ManifoldRepair<D>::take_steps() {
     if (next.version != version_[next.vertex] || surplus_[next.vertex] == 0) continue;
     const Step step = best_step(next.vertex);
     if (step.cells.empty()) continue;
-    next.cost < step.cost ? wait(step.cost, next.vertex) : apply(step);
+    next.cost < step.cost ? wait(step.cost, next.vertex) : apply(step.cells);
+  }
+}
+
+// At a vertex with very many cells.
+template <int D>
+void ManifoldRepair<D>::take_steps_at(std::uint32_t vertex) {
+  std::uint32_t before = kNone;
+  while (surplus_[vertex] > 0 && applied_count_ != before) {
+    before = applied_count_;
+    stars_.read(vertex, solid_);
+    const std::vector<PartStep> steps = part_steps<D>(
+        stars_, stars_.cells(vertex), [&](std::uint32_t cell) { return volume(cell); });
+    for (const auto& [cost, cells] : steps) {
+      const bool is_inside = solid_[cells[0]];
+      const bool is_free = std::none_of(cells.begin(), cells.end(), [&](std::uint32_t cell) {
+        return is_cleared_[cell] || solid_[cell] != is_inside;
+      });
+      if (is_free && gain(cells, 1) > 0) apply(cells);
+    }
+  }
+}
+
+template <int D>
+void ManifoldRepair<D>::take_all_steps() {
+  for (;;) {
+    take_steps();
+    const std::uint32_t before = applied_count_;
+    for (const auto& [vertex, star] : large_) take_steps_at(vertex);
+    if (applied_count_ == before) return;
+    wait_all();
   }
 }
 
@@ -255,7 +326,7 @@ bool ManifoldRepair<D>::clear_one() {
   if (vertex == kNone) return false;
   for (const std::uint32_t cell : stars_.cells(vertex)) is_cleared_[cell] = true;
   ++cleared_count_;
-  apply(least);
+  apply(least.cells);
   return true;
 }
 
@@ -267,12 +338,9 @@ void ManifoldRepair<D>::change_back() {
   std::sort(waiting.begin(), waiting.end());
   const auto can_be = [&](std::uint32_t cell) {
     const std::array<std::uint32_t, 1> one{cell};
-    turn(one);
-    const auto& corners = cells_[cell].corners;
-    const bool is_manifold = std::none_of(
-        corners.begin(), corners.end(), [&](std::uint32_t vertex) { return surplus(vertex) > 0; });
-    if (!is_manifold) turn(one);
-    return is_manifold;
+    if (gain(one, 0) < 0) return false;
+    apply(one);
+    return true;
   };
   while (std::erase_if(waiting, [&](const auto& one) { return can_be(one.second); }) > 0) {
   }
@@ -280,9 +348,9 @@ void ManifoldRepair<D>::change_back() {
 
 template <int D>
 void ManifoldRepair<D>::run() {
-  for (const std::uint32_t vertex : offending()) wait(-1.0, vertex);
+  wait_all();
   do {
-    take_steps();
+    take_all_steps();
   } while (clear_one());
   change_back();
 }

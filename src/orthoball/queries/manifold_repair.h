@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/measures/scaled_balls.h"
+#include "orthoball/queries/large_star.h"
 #include "orthoball/queries/star_parts.h"
 
 namespace orthoball {
@@ -57,10 +59,14 @@ class ManifoldRepair {
   [[nodiscard]] Step best_step(std::uint32_t vertex);
   [[nodiscard]] std::vector<std::uint32_t> vertices_of(std::span<const std::uint32_t> cells) const;
   [[nodiscard]] std::uint32_t surplus(std::uint32_t vertex);
+  [[nodiscard]] std::int64_t gain(std::span<const std::uint32_t> cells, std::int64_t least);
   void turn(std::span<const std::uint32_t> cells);
-  void apply(const Step& step);
+  void apply(std::span<const std::uint32_t> cells);
   void wait(double cost, std::uint32_t vertex);
+  void wait_all();
   void take_steps();
+  void take_steps_at(std::uint32_t vertex);
+  void take_all_steps();
   bool clear_one();
   void change_back();
 
@@ -69,10 +75,11 @@ class ManifoldRepair {
   const ScaledBalls<D>& balls_;
   std::vector<bool> solid_, at_first_, is_cleared_;  // [cell]
   StarParts<D> stars_;
-  std::vector<std::uint32_t> surplus_;  // [vertex]
-  std::vector<std::uint32_t> version_;  // [vertex]: of what waits; older ones are void
-  std::vector<Waiting> waiting_;        // a heap, the smallest first
-  std::uint32_t cleared_count_ = 0;
+  std::map<std::uint32_t, LargeStar<D>> large_;  // by vertex
+  std::vector<std::uint32_t> surplus_;           // [vertex]
+  std::vector<std::uint32_t> version_;           // [vertex]: of what waits; older ones are void
+  std::vector<Waiting> waiting_;                 // a heap, the smallest first
+  std::uint32_t applied_count_ = 0, cleared_count_ = 0;
 };
 
 extern template class ManifoldRepair<2>;  // defined in manifold_repair.cpp

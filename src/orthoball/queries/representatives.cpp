@@ -72,7 +72,8 @@ void Representatives<D>::add_component(Representative& result) const {
     const std::uint32_t vertex = front.back();
     front.pop_back();
     for (const auto& [edge, to] : ways_.of(vertex)) {
-      if (edges.enters(edge) <= result.index && seen.insert(to).second) front.push_back(to);
+      if (edges.enters(edge) > result.index) break;
+      if (seen.insert(to).second) front.push_back(to);
     }
   }
   for (const std::uint32_t vertex : seen) {

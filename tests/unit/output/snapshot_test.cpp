@@ -9,6 +9,8 @@
 #include <map>
 #include <set>
 
+#include "generators/point_families.h"
+#include "orthoball/queries/representatives.h"
 #include "orthoball/signatures/signature.h"
 #include "orthoball/topology/persistence.h"
 #include "unit/output/shapes.h"
@@ -113,7 +115,8 @@ void expect_as_described(const std::string& bytes) {
   }
   std::set<std::string> members;
   for (const auto& cells : described("The header")) {
-    const bool is_of_space = cells[0] == "tetrahedra" || cells[0] == "pairs_2";
+    const std::set<std::string> of_space{"tetrahedra", "pairs_2", "cycles", "cycle_edges"};
+    const bool is_of_space = of_space.count(cells[0]) > 0;
     if (is_of_space && read.header()["dimension"] == 2) continue;
     members.insert(cells[0]);
     EXPECT_TRUE(read.header().contains(cells[0])) << cells[0];
@@ -248,6 +251,47 @@ TEST(Snapshot, KeepsPersistencePairs) {
   expect_pairs(planar());
   expect_pairs(flat());
   expect_pairs(Shapes<3>({}));
+}
+
+TEST(Snapshot, KeepsCyclesOfTunnels) {
+  const auto points = generators::points_of(generators::PointFamily::uniform, 3, 120, 1);
+  std::vector<double> coordinates;
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    for (int axis = 0; axis < 3; ++axis) coordinates.push_back(points.coordinate(row, axis));
+  }
+  const Shapes<3> shapes(coordinates);
+  const PackedReader read(snapshot(shapes));
+  const auto pairs = read.numbers("persistence_1"), of = read.numbers("cycle_pairs"),
+             ends = read.numbers("cycle_ends"), edges = read.numbers("cycle_edges");
+  ASSERT_EQ(of.size(), 100U);
+  ASSERT_EQ(read.header()["cycles"], of.size());
+  ASSERT_EQ(read.header()["cycle_edges"], edges.size());
+  const auto all = persistence_pairs(shapes.filtration, WantedPairs::all);
+  Representatives<3> representatives(shapes.filtration, all);
+  const auto& table = shapes.filtration.table();
+  const auto life = [&](std::uint32_t pair) {
+    const auto alpha2 = [&](std::uint32_t simplex) {
+      return shapes.filtration.alpha2(shapes.filtration.enters(SimplexId(simplex)));
+    };
+    return alpha2(table.first(2) + pairs[2 * pair + 1]) - alpha2(table.first(1) + pairs[2 * pair]);
+  };
+  double shortest = life(of[0]);
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    const PersistencePair pair{SimplexId(table.first(1) + pairs[2 * of[i]]),
+                               SimplexId(table.first(2) + pairs[2 * of[i] + 1])};
+    const auto one = representatives.at(1, pair, representatives.usual_index(1, pair));
+    std::vector<SimplexId> kept;
+    for (std::uint32_t at = i == 0 ? 0 : ends[i - 1]; at < ends[i]; ++at) {
+      kept.emplace_back(table.first(1) + edges[at]);
+    }
+    EXPECT_EQ(kept, one.cycle);
+    shortest = std::min(shortest, life(of[i]));
+  }
+  for (std::uint32_t pair = 0; pair < pairs.size() / 2; ++pair) {
+    const bool is_kept = std::find(of.begin(), of.end(), pair) != of.end();
+    EXPECT_TRUE(is_kept || life(pair) <= shortest);
+  }
+  EXPECT_TRUE(PackedReader(snapshot(flat())).numbers("cycle_pairs").empty());
 }
 
 TEST(Snapshot, NamesWordsOfLabelsInTheOrderOfTheirRows) {

@@ -64,7 +64,7 @@ void expect_by_definition(const WeightedPoints& points) {
     std::set<SimplexId> filled = simplices_of(AlphaComplex<D>(filtration, index));
     std::size_t holes_filled = 0;
     for (const Void<D>& hole : there) {
-      if (!(hole.volume <= hole_threshold)) continue;
+      if (!(hole.volume <= hole_threshold) || hole_threshold == 0.0) continue;
       ++holes_filled;
       for (const SimplexId cell : hole.cells) add_closed(filtration, cell, filled);
     }
@@ -78,7 +78,8 @@ void expect_by_definition(const WeightedPoints& points) {
     std::set<SimplexId> kept;
     std::size_t dropped = 0;
     for (const Region& one : parts) {
-      if (one.volume <= region_threshold) ++dropped;
+      const bool is_kept = region_threshold == 0.0 && !one.cells.empty();
+      if (one.volume <= region_threshold && !is_kept) ++dropped;
     }
     for (const SimplexId simplex : filled) {
       if (kept.count(simplex) > 0) continue;
@@ -188,6 +189,23 @@ TEST(EditedShape, FillsHolesUpToTheThresholdAndThenLeavesOutRegions) {
   EXPECT_EQ(volume({.region = 1}), whole - 1);
   EXPECT_EQ(volume({.region = 2}), 1.0);
   EXPECT_EQ(volume({.region_threshold = 100}), 0.0);
+}
+
+TEST(EditedShape, KeepsCellsWhoseVolumeIsRoundedToNothing) {
+  // A triangle whose area is no double, one of area 1/2, and a point that stands alone.
+  const double tiny = 1e-170;
+  const Shapes<2> shapes({0, 0, tiny, 0, 0, tiny, 5, 5, 6, 5, 5, 6, 90, 90});
+  const std::uint32_t index = shapes.filtration.index(0.5);
+  const auto all = edited_shape(shapes.filtration, index, {.region = 1});
+  EXPECT_EQ(all.region_count, 3U);
+  const auto kept = edited_shape(shapes.filtration, index, {.region_threshold = 0});
+  EXPECT_EQ(kept.regions_dropped, 1U);
+  const auto left = regions(kept.complex, JoinedBy::vertices);
+  ASSERT_EQ(left.size(), 2U);
+  EXPECT_EQ(left[1].volume, 0.0);
+  EXPECT_EQ(left[1].cells.size(), 1U);
+  const auto dropped = edited_shape(shapes.filtration, index, {.region_threshold = tiny});
+  EXPECT_EQ(dropped.regions_dropped, 2U);
 }
 
 TEST(EditedShape, MembranesDoNotDivideHolesOfARegularizedShape) {

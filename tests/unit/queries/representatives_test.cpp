@@ -210,6 +210,57 @@ TEST(Representatives, OfARingIsItsShortestWayAround) {
   EXPECT_DOUBLE_EQ(one.size, 4 * std::sqrt(2.0));
 }
 
+// What was found for one question serves others.
+TEST(Representatives, DoNotDependOnTheOrderOfQuestions) {
+  for (const generators::Case& one : generators::cases(2, 1, 40)) {
+    if (one.dimension != 3 || generators::is_extreme(one.family)) continue;
+    SCOPED_TRACE(::testing::Message() << one);
+    const Filtration<3> filtration(regular_triangulation<3>(one.points()));
+    const auto all = persistence_pairs(filtration, WantedPairs::all);
+    const auto tunnels = persistence_pairs(filtration)[1];
+    using Question = std::pair<PersistencePair, std::uint32_t>;
+    std::vector<Question> questions;
+    for (const PersistencePair& pair : tunnels) {
+      const std::uint32_t birth = filtration.enters(pair.birth);
+      const std::uint32_t last = filtration.enters(pair.death) - 1;
+      for (const std::uint32_t index : {birth, birth + (last - birth) / 2, last}) {
+        questions.emplace_back(pair, index);
+      }
+    }
+    const auto answer = [](Representatives<3>& of, const Question& question) {
+      return of.at(1, question.first, question.second).cycle;
+    };
+    Representatives<3> ascending(filtration, all), shuffled(filtration, all);
+    std::map<std::size_t, std::vector<SimplexId>> known;
+    const auto order = generators::random_permutation(questions.size(), one.seed);
+    for (const std::uint32_t i : order) known[i] = answer(shuffled, questions[i]);
+    std::vector<std::size_t> by_index(order.begin(), order.end());
+    std::sort(by_index.begin(), by_index.end(), [&](std::size_t a, std::size_t b) {
+      return questions[a].second < questions[b].second;
+    });
+    for (const std::size_t i : by_index) EXPECT_EQ(answer(ascending, questions[i]), known[i]);
+    if (::testing::Test::HasFailure()) return;  // one case tells enough
+  }
+}
+
+TEST(Representatives, DoNotDependOnTheOrderOfRows) {
+  for (const generators::Case& one : generators::cases(1, 5, 200)) {
+    if (one.dimension != 3 || generators::is_extreme(one.family)) continue;
+    SCOPED_TRACE(::testing::Message() << one);
+    const WeightedPoints points = one.points();
+    const auto rows = generators::random_permutation(one.count, one.seed);
+    const Filtration<3> one_way(regular_triangulation<3>(points));
+    const Filtration<3> other_way(regular_triangulation<3>(generators::with_rows(points, rows)));
+    const auto all = persistence_pairs(one_way, WantedPairs::all);
+    Representatives<3> of_one(one_way, all), of_other(other_way, all);
+    const auto lasting = persistence_pairs(one_way);
+    for (const PersistencePair& pair : lasting[1]) {
+      const std::uint32_t index = of_one.usual_index(1, pair);
+      EXPECT_EQ(of_one.at(1, pair, index).cycle, of_other.at(1, pair, index).cycle);
+    }
+  }
+}
+
 TEST(Representatives, AreRefusedBeforeBirthAndAfterDeath) {
   const Shapes<2> shapes({0, 0, 1, 0, 1, 1, 0, 1});
   const auto pairs = persistence_pairs(shapes.filtration, WantedPairs::all);

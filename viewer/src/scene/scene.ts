@@ -25,12 +25,14 @@ import {
   spreadOf,
 } from '../layers';
 import {
+  kClassColours,
   kDimensionColours,
   kPickedColour,
   kRoleColours,
   type Colouring,
   type Rgb,
 } from '../palette';
+import type { Representative } from '../representative';
 import type { ShapeModel } from '../shape_model';
 import { isShown, type State } from '../state';
 import { kNone } from '../types';
@@ -74,6 +76,8 @@ export class Scene {
   private readonly layers: Partial<Record<string, Drawable>> = {};
   /** Of the middle of the view to the right, in half widths. */
   shift = 0;
+  /** How many simplices make the class that is shown, by layer. */
+  private readonly ofClass: Record<string, number> = {};
   private bytes = 0;
   private width = 1;
   private height = 1;
@@ -149,6 +153,7 @@ export class Scene {
     const pointSize = !isPlanar ? 4 : pointCount < 600 ? 6 : pointCount < 3000 ? 4 : 2.5;
     this.add('points', kinds.balls(quads(pointCount), [70, 78, 92], pointSize));
     this.addList('singular_vertices', vertices.list('singular'), balls(7));
+    for (const dimension of [2, 1, 0]) this.addClassLayer(dimension);
   }
 
   // Simplices of a dimension, each by itself; points are as wide as three edges.
@@ -258,6 +263,28 @@ export class Scene {
     return [...normal, -(target + state.clipPlace)];
   }
 
+  /** What makes a class of cycles of a dimension: above everything else. */
+  setClass(representative: Representative, dimension: number): void {
+    representative.forEach((members, k) => {
+      const list = new SimplexList([kQuad, kQuad, kTriangle][k], members.length);
+      members.forEach((simplex, place) => list.put(place, simplex));
+      const name = `class_${k}`;
+      const drawable = this.layers[name]!;
+      drawable.uniforms.colour.value = unit(kClassColours[dimension]);
+      this.bytes += drawable.replace(list.elements);
+      this.ofClass[name] = members.length;
+    });
+  }
+
+  private addClassLayer(dimension: number): void {
+    const pixels = dimension === 0 ? 2.6 : 5;
+    const drawable = this.simplices(dimension, new Uint32Array(0), kClassColours[0], pixels);
+    drawable.material.depthTest = drawable.material.depthWrite = false;
+    drawable.material.transparent = true;
+    drawable.uniforms.opacity.value = dimension === 2 ? 0.45 : 1;
+    this.add(`class_${dimension}`, drawable);
+  }
+
   private showLayers(state: State): void {
     const apart = dimensionApart(state);
     if (apart >= 0 && !this.layers[`apart_${apart}`]) {
@@ -343,6 +370,9 @@ export class Scene {
     for (const { name, list, drawable } of this.lists) {
       const perSimplex = list.pattern.offsets.length;
       if (drawable.object.visible) drawn[name] = drawable.shown / perSimplex;
+    }
+    for (const [name, count] of Object.entries(this.ofClass)) {
+      if (this.layers[name]?.object.visible) drawn[name] = count;
     }
     const bytes = this.bytes + this.kinds.tables.takeBytes();
     this.bytes = 0;
