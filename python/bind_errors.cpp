@@ -33,7 +33,8 @@ struct ErrorTypes {
 };
 ErrorTypes types;
 
-// Messages of the library tell what would be right by the options of the program.
+}  // namespace
+
 std::string in_python(std::string message) {
   constexpr std::array<std::array<std::string_view, 2>, 11> kNames{{
       {"--input-format", "format="},
@@ -54,6 +55,8 @@ std::string in_python(std::string message) {
   }
   return message;
 }
+
+namespace {
 
 nb::object made(nb::handle type, const std::exception& error) {
   return type(nb::str(in_python(error.what()).c_str()));

@@ -51,6 +51,11 @@ Array<double> atom_radii(const std::vector<std::string>& elements,
   return owned<double>(std::move(result));
 }
 
+std::vector<std::string> in_python(std::vector<std::string> messages) {
+  for (std::string& message : messages) message = ::in_python(std::move(message));
+  return messages;
+}
+
 }  // namespace
 
 void bind_reading(nb::module_& module) {
@@ -89,8 +94,12 @@ void bind_reading(nb::module_& module) {
       .def_ro("radii", &Reading::radii, "Where weights come from, in words.")
       .def_ro("is_molecule", &Reading::is_molecule,
               "Whether weights are the squared radii of a molecule's atoms.")
-      .def_ro("notes", &Reading::notes, "Choices made while reading.")
-      .def_ro("warnings", &Reading::warnings, "Things to look at.")
+      .def_prop_ro(
+          "notes", [](const Reading& self) { return in_python(self.notes); },
+          "Choices made while reading.")
+      .def_prop_ro(
+          "warnings", [](const Reading& self) { return in_python(self.warnings); },
+          "Things to look at.")
       .def("__len__", [](const Reading& self) { return self.points.size(); })
       .def("__repr__", [](const Reading& self) {
         return "<orthoball.Reading of " + self.file + ": " + std::to_string(self.points.size()) +

@@ -42,6 +42,10 @@ void bind_view(nanobind::module_& module);
   return threads ? orthoball::Threads(*threads) : orthoball::Threads();
 }
 
+/// A message of the library, which tells what would be right by the options of the program, with
+/// what Python calls them.
+[[nodiscard]] std::string in_python(std::string message);  // in bind_errors.cpp
+
 /// Where the weights of some shapes come from.
 [[nodiscard]] inline orthoball::WeightMeaning meaning_of_weights(
     const orthoball::AlphaShapes& shapes, bool is_molecule) {

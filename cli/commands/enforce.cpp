@@ -20,6 +20,7 @@
 #include "orthoball/output/points_table.h"
 #include "orthoball/weights/added_sites.h"
 #include "orthoball/weights/enforced_weights.h"
+#include "orthoball/weights/reweighted_points.h"
 
 namespace {
 
@@ -151,8 +152,10 @@ void run(const EnforceOptions& options) {
     }
   }
   progress.end();
+  // With a column of weights also where nothing had to change.
+  const orthoball::WeightedPoints weighted = orthoball::reweighted(weights.points, 0, {});
   write_output(options.output, "",
-               [&](orthoball::ByteSink& sink) { write_points_csv(sink, weights.points); });
+               [&](orthoball::ByteSink& sink) { write_points_csv(sink, weighted); });
   say_report(options, list, wanted, weights);
 }
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import as_float64, as_points
+from ._arrays import as_float64, as_points, as_threads, fault
 from ._balls import Balls, Void
 from ._candidates import AlphaCandidates, alphas, named_alpha
 from ._files import ending_of, write_whole
@@ -45,7 +45,8 @@ class AlphaShapes:
         radii: instead of weights one radius r a point (or one for all), standing for the weight r^2,
             -r^2 where r is negative; of a DataFrame also a column's name. Atoms of an object have
             the radii of the set "bondi" unless another is named ("alvarez", "protor", "none", or a
-            file of radii) or an array given.
+            file of radii) or an array given. Numbers take the place of those of a Reading, whose sets
+            are chosen by `read`.
         threads: at most so many are used; by default one for each core. Building releases the GIL.
 
     Raises:
@@ -65,10 +66,13 @@ class AlphaShapes:
         radii: ArrayLike | str | None = None,
         threads: int | None = None,
     ):
+        threads = as_threads(threads)
         self._threads = threads
         self._reading = None
         neighbours = density_neighbours(weights)
         is_reading = isinstance(points, _core.Reading)
+        if is_reading and isinstance(radii, str):
+            raise fault(f"radii {radii!r} of a Reading are chosen by read(path, radii={radii!r})")
         if is_reading and radii is None and (weights is None or neighbours is not None):
             if neighbours is not None:
                 points = _core.with_density_weights(points, neighbours, threads)
@@ -76,12 +80,11 @@ class AlphaShapes:
             self._is_molecule = points.is_molecule
             self._reading = points
             return
-        if is_reading:
-            points = points.points
-        sites = sites_of(points, weights, radii, threads)
+        sites = sites_of(points.points if is_reading else points, weights, radii, threads)
         column = sites.weights if sites.radii is None else sites.radii
         self._core = _core.AlphaShapes(sites.points, column, sites.radii is not None, threads)
-        self._is_molecule = sites.is_molecule
+        has_radii = is_reading and radii is not None
+        self._is_molecule = sites.is_molecule or (has_radii and points.is_molecule)
 
     @classmethod
     def _of(
@@ -160,6 +163,8 @@ class AlphaShapes:
         Closed: every alpha2 of the spectrum gives its own index, of equal labels the last. An array
         gives an array (uint32) of its shape.
         """
+        if isinstance(alpha2, str):
+            return self._chosen(alpha2, None, None, None)[0]
         if np.ndim(alpha2) == 0:
             return self._core.index(float(alpha2))  # type: ignore[arg-type]
         array = as_float64(alpha2, "alpha2")
@@ -221,10 +226,12 @@ class AlphaShapes:
 
         `alpha2` and `alpha` of the result are those of the indices.
         """
+        if (alpha2 is None) == (index is None):
+            raise fault("give either alpha2 or index")
         indices = alphas(self, alpha2)[0] if index is None else index
         wanted = as_float64(indices, "index").ravel()
         if ((wanted < 0) | (wanted > len(self.spectrum)) | (wanted != np.floor(wanted))).any():
-            raise _core.InputError(f"an index is a whole number from 0 to {len(self.spectrum)}")
+            raise fault(f"an index is a whole number from 0 to {len(self.spectrum)}")
         return self._signatures(wanted.astype(np.uint32))
 
     def _signatures(self, indices: NDArray[np.uint32] | None) -> Signatures:
@@ -268,11 +275,11 @@ class AlphaShapes:
             minimum_length: only classes that live so long, death less birth, length^2.
         """
         if dimension is not None and not 0 <= dimension < self.dimension:
-            raise _core.InputError(
+            raise fault(
                 f"there are no classes of dimension {dimension}; they are 0 to {self.dimension - 1}"
             )
         if not minimum_length >= 0.0:
-            raise _core.InputError(
+            raise fault(
                 f"minimum_length is {minimum_length}; a length of lives is 0 or more"
             )
         pairs = _core.persistence_pairs(self._core, all, minimum_length, self._threads)
@@ -305,7 +312,7 @@ class AlphaShapes:
             seed: of these parts, which depend on it and on the set of points alone.
         """
         if not 0 <= resamples < 2**32 or not 0 <= seed < 2**64:
-            raise _core.InputError("resamples and seed are whole numbers from 0 on")
+            raise fault("resamples and seed are whole numbers from 0 on")
         found = _core.alpha_candidates(
             self._core, self._is_molecule, resamples, float(share), seed, self._threads
         )

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Sequence
 from typing import Any
 
@@ -26,6 +27,8 @@ def _first(flags: np.ndarray) -> int:
 
 
 def _array(values: Any, name: str) -> np.ndarray:
+    if np.ma.is_masked(values):
+        raise fault(f"{name} is masked", _first(np.ma.getmaskarray(values)))
     try:
         return np.asarray(values)
     except ValueError:  # rows of different lengths
@@ -58,15 +61,16 @@ def as_float64(values: Any, name: str) -> np.ndarray:
 
 
 def _row_of_other_type(array: np.ndarray) -> int | None:
-    """Of an array of objects or texts, the first row with one that is no number."""
+    """Of an array of objects or texts, the first row with one that is no number; None where all are."""
     if array.dtype.kind not in "OUS" or array.ndim == 0:
         return None
     for row, values in enumerate(array):
         try:
-            np.asarray(values).astype(np.float64)
+            for value in np.ravel(values):
+                float(value)
         except (TypeError, ValueError):
             return row
-    return 0
+    return None
 
 
 def as_points(values: Any) -> np.ndarray:
@@ -93,6 +97,19 @@ def as_column(values: Any, size: int, name: str) -> np.ndarray:
             "wrong_size",
         )
     return column
+
+
+def as_threads(threads: Any) -> int | None:
+    """A number of threads; None for one for each core."""
+    if threads is None:
+        return None
+    try:
+        number = operator.index(threads)
+    except TypeError:
+        number = 0
+    if not 1 <= number <= 1024:
+        raise fault(f"threads is {threads!r}; it is a whole number from 1 to 1024")
+    return number
 
 
 def stacked(rows: Sequence[Any], width: int) -> np.ndarray:

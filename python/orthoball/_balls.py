@@ -267,7 +267,7 @@ class Balls:
         Raises InputError in space.
         """
         if style not in ("colour", "print"):
-            raise _core.InputError(f'the style is {style!r}; it is "colour" or "print"')
+            raise fault(f'the style is {style!r}; it is "colour" or "print"')
         wanted = list(panels or ("disks", "cells", "complex"))
         return _core.figure(
             self._shapes._core,

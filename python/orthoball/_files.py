@@ -4,21 +4,32 @@
 from __future__ import annotations
 
 import os
+import stat
+import threading
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
 
 def write_whole(path: str | os.PathLike[str], content: bytes) -> None:
-    """Writes a file that appears whole or not at all."""
-    path = os.fspath(path)
-    beside = f"{path}.{os.getpid()}.part"
+    """Writes a file that appears whole or not at all; what a link leads to, and what was there keeps
+    its permissions. What is no plain file, such as a pipe, is written to as it is."""
+    path = os.path.realpath(path)
+    if os.path.exists(path) and not os.path.isfile(path):
+        with open(path, "wb") as file:
+            file.write(content)
+        return
+    beside = f"{path}.{os.getpid()}.{threading.get_ident()}.part"
     try:
         with open(beside, "wb") as file:
             file.write(content)
+        if os.path.exists(path):
+            os.chmod(beside, stat.S_IMODE(os.stat(path).st_mode))
         os.replace(beside, path)
-    except BaseException:
+    except BaseException as error:
         if os.path.exists(beside):
             os.remove(beside)
+        if isinstance(error, OSError):
+            error.filename, error.filename2 = path, None
         raise
 
 

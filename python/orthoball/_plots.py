@@ -42,7 +42,8 @@ def plot_signatures(shapes: AlphaShapes, columns: Sequence[str], axis: str, ax: 
     if ax is None:
         _, ax = pyplot.subplots()
     for name in columns:
-        values = signatures[name].reshape(len(signatures["index"]), -1)
+        values = signatures[name]
+        values = values if values.ndim == 2 else values[:, np.newaxis]
         for column, label in zip(values.T, _labels(shapes, name, values.shape[1])):
             ax.step(signatures[axis], column, where="post", label=label)
     ax.set_xlabel(axis)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core, _exports
-from ._arrays import as_points
+from ._arrays import as_points, fault
 from ._files import Written
 from ._tables import (
     NONE,
@@ -53,7 +53,7 @@ class Shape(Written):
         self._parts = (hole_threshold, region_threshold, region)
         self._solid: Solid | None = None
         if region is not None and not 1 <= region < NONE:
-            raise _core.InputError(f"there is no region {region}; regions are numbered from 1")
+            raise fault(f"there is no region {region}; regions are numbered from 1")
         self._core: _core.OneShape = _core.edited(
             shapes._core, index, alpha2, regularized, hole_threshold, region_threshold, region or 0
         )

@@ -248,9 +248,10 @@ class Signatures(Mapping[str, NDArray[Any]], Written):
         return self._columns[name]
 
     def __getattr__(self, name: str) -> NDArray[Any]:
-        if name in self.__dict__.get("_columns", {}):
-            return self._columns[name]
-        raise AttributeError(f"signatures have no column {name!r}; they are {list(self)}")
+        columns = self.__dict__.get("_columns", {})  # empty while a copy is made
+        if name in columns:
+            return columns[name]
+        raise AttributeError(f"signatures have no column {name!r}; they are {list(columns)}")
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._columns)

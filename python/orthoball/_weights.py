@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arrays import fault
+from ._arrays import as_threads, fault
 from ._files import Written
 from ._points import points_of
 from ._tables import NONE
@@ -42,7 +42,8 @@ def density_weights(
 
     After Chazal, Cohen-Steiner and Mérigot, Geometric inference for probability measures, 2011.
     """
-    if not 0 < neighbours < 2**32:
+    threads = as_threads(threads)
+    if isinstance(neighbours, str) or int(neighbours) != neighbours or not 0 < neighbours < 2**32:
         raise fault(f"the neighbours are {neighbours}; they are a whole number from 1")
     if isinstance(points, _core.Reading):
         weights = _core.with_density_weights(points, neighbours, threads).weights

@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 
-from orthoball import AlphaShapes
+from orthoball import AlphaShapes, InputError
 from orthoball.compat import alphashape as ours
 from orthoball.compat import gudhi as ours_gudhi
 from orthoball.compat.matlab import alphaShape
@@ -210,3 +210,12 @@ def test_the_radius_may_be_given_and_given_anew():
         hull.volume()
     with pytest.raises(ValueError, match="there is perimeter"):
         hull.surfaceArea()
+
+
+def test_matlabs_points_are_checked():
+    with pytest.raises(InputError, match="needs points"):
+        alphaShape()
+    with pytest.raises(InputError, match="the columns have 3, 2 numbers"):
+        alphaShape([0, 1, 2], [0, 1])
+    with pytest.raises(InputError, match="needs points"):
+        alphaShape(np.random.default_rng(1).random((9, 2))).inShape()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """All shapes at once: spectrum, simplices, filtration, signatures, topology."""
 
+import copy
 import itertools
 
 import numpy as np
@@ -216,3 +217,34 @@ def test_notable_alphas(shapes, cloud):
     assert "component" in connected.reason or "piece" in connected.reason or connected.reason
     assert shapes.automatic_alpha().name == "solid"
     assert AlphaShapes(cloud, 0.01).automatic_alpha().name == "connected"
+
+
+def test_faults_have_a_row_and_a_reason(plane):
+    shapes = AlphaShapes(plane)
+    faults = [
+        lambda: shapes.shape(region=0),
+        lambda: shapes.persistence(7),
+        lambda: shapes.persistence(minimum_length=float("nan")),
+        lambda: shapes.signatures_at(index=[99999]),
+        lambda: shapes.signatures_at(),
+        lambda: shapes.signatures_at(0.1, index=1),
+        lambda: shapes.alpha_candidates(resamples=-1),
+        lambda: shapes.balls().figure(style="x"),
+    ]
+    for wrong in faults:
+        with pytest.raises(InputError) as caught:
+            wrong()
+        assert caught.value.row is None
+        assert caught.value.reason == "wrong_argument"
+
+
+def test_an_index_is_found_by_name(plane):
+    shapes = AlphaShapes(plane)
+    assert shapes.index("auto") == shapes.automatic_alpha().index
+    assert shapes.index("auto:solid") == shapes.shape(alpha2="auto:solid").index
+
+
+def test_signatures_can_be_copied(plane):
+    signatures = AlphaShapes(plane).signatures
+    for copied in (copy.copy(signatures), copy.deepcopy(signatures)):
+        assert np.array_equal(copied.volume, signatures.volume)

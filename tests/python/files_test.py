@@ -3,6 +3,7 @@
 
 import io
 import json
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -187,3 +188,31 @@ def test_a_shape_is_written_whole_or_not_at_all(cube, tmp_path):
         shape.write(tmp_path / "cube.step")
     assert [path.name for path in tmp_path.iterdir()] == ["cube.obj"]
     assert io.BytesIO(shape.to_bytes("stl")).getbuffer().nbytes == 84 + 50 * 12
+
+
+def test_a_link_is_followed_and_permissions_stay(cloud, tmp_path):
+    signatures = AlphaShapes(cloud).signatures
+    there, link = tmp_path / "there.csv", tmp_path / "link.csv"
+    there.write_text("old")
+    there.chmod(0o600)
+    link.symlink_to(there)
+    signatures.write(link)
+    assert link.is_symlink()
+    assert there.read_bytes() == signatures.to_bytes("csv")
+    assert there.stat().st_mode & 0o777 == 0o600
+    assert sorted(tmp_path.iterdir()) == [link, there]
+
+
+def test_a_missing_folder_is_named_as_given(cloud, tmp_path):
+    path = tmp_path / "none" / "signatures.csv"
+    with pytest.raises(FileNotFoundError) as caught:
+        AlphaShapes(cloud).signatures.write(path)
+    assert caught.value.filename == str(path)
+
+
+def test_threads_may_write_one_file(cloud, tmp_path):
+    signatures = AlphaShapes(cloud).signatures
+    path = tmp_path / "signatures.csv"
+    with ThreadPoolExecutor(4) as pool:
+        list(pool.map(lambda _: signatures.write(path), range(40)))
+    assert path.read_bytes() == signatures.to_bytes("csv")

@@ -56,3 +56,8 @@ def test_a_shape_in_space_is_drawn(cloud):
         ax.figure.canvas.draw()
         assert ax.name == "3d"
     AlphaShapes(np.zeros((0, 3))).plot_shape().figure.canvas.draw()
+
+
+def test_signatures_of_no_points_are_empty_pictures(pyplot):
+    ax = AlphaShapes(np.zeros((0, 2))).plot_signatures()
+    assert all(len(line.get_xdata()) == 0 for line in ax.lines)

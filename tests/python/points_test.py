@@ -187,3 +187,36 @@ def test_molecules_of_other_packages_are_those_of_our_reader(samples):
     is_ours(gemmi.read_structure(path)[0], 1e-12)
     io = pytest.importorskip("ase.io")
     is_ours(io.read(path), 1e-12)
+
+
+def test_the_row_that_is_no_number_is_named():
+    with pytest.raises(InputError) as caught:
+        AlphaShapes(np.array([[1, 2], [3, None]], dtype=object))
+    assert caught.value.row == 1
+    with pytest.raises(InputError) as caught:
+        AlphaShapes(np.array([[1, 2], [3, 4]], dtype=object))
+    assert caught.value.row is None
+
+
+def test_masked_rows_are_refused(cube):
+    mask = np.zeros(cube.shape, dtype=bool)
+    assert spectrum(np.ma.array(cube, mask=mask)) == spectrum(cube)
+    mask[5, 1] = True
+    with pytest.raises(InputError, match="masked") as caught:
+        AlphaShapes(np.ma.array(cube, mask=mask))
+    assert caught.value.row == 5
+
+
+@pytest.mark.parametrize("threads", [0, -1, 1025, 10**9, 1.5, "2"])
+def test_threads_are_a_number_of_them(cube, threads):
+    with pytest.raises(InputError, match="from 1 to 1024"):
+        AlphaShapes(cube, threads=threads)
+
+
+def test_a_molecule_that_was_read_stays_one_with_other_radii(samples):
+    reading = orthoball.read(samples / "bdna_dodecamer.pdb")
+    shapes = AlphaShapes(reading, radii=1.7)
+    assert shapes.automatic_alpha().name == "dual_complex"
+    assert set(shapes.weights) == {1.7**2}
+    with pytest.raises(InputError, match="read\\(path, radii='alvarez'\\)"):
+        AlphaShapes(reading, radii="alvarez")

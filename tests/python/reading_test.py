@@ -71,6 +71,10 @@ def test_faults_name_what_python_calls_it(tmp_path):
     with pytest.raises(orthoball.ParseError) as caught:
         orthoball.read(xyz)
     assert "--" not in str(caught.value)
+    models = tmp_path / "models.pdb"
+    atom = "ATOM      1  C   ALA A   1       1.000   2.000   3.000  1.00  0.00           C\n"
+    models.write_text(f"MODEL        1\n{atom}ENDMDL\nMODEL        2\n{atom}ENDMDL\n")
+    assert "model=N" in " ".join(orthoball.read(models).notes)
 
 
 def test_faults_name_file_and_line(tmp_path):

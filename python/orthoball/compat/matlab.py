@@ -44,8 +44,13 @@ class alphaShape:
         RegionThreshold: float = 0.0,
     ):
         columns = list(points)
+        if not columns:
+            raise fault("alphaShape needs points: an array, or the columns x, y[, z]")
         if np.ndim(columns[-1]) == 0 and alpha is None:
             alpha = float(columns.pop())
+        if len({np.size(column) for column in columns}) != 1 and len(columns) > 1:
+            sizes = ", ".join(str(np.size(column)) for column in columns)
+            raise fault(f"the columns have {sizes} numbers; they must have the same")
         self.shapes = AlphaShapes(columns[0] if len(columns) == 1 else np.column_stack(columns))
         """The AlphaShapes, for everything else."""
         self._thresholds = float(HoleThreshold), float(RegionThreshold)
@@ -144,6 +149,8 @@ class alphaShape:
         shape = self._of(region)
         if len(points) == 1:
             return shape.contains(points[0])
+        if not points:
+            raise fault("inShape needs points: an array, or the columns x, y[, z]")
         columns = np.broadcast_arrays(*points)
         flat = np.column_stack([column.ravel() for column in columns])
         return shape.contains(flat).reshape(columns[0].shape)

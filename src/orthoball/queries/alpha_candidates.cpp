@@ -204,7 +204,8 @@ std::vector<NotableAlpha> all_alphas(const Filtration<D>& filtration, const Cour
     alphas.push_back({"dual_complex", "the molecule itself: weights are the radii of its atoms",
                       filtration.index(0.0), 0.0, 0.0});
     alphas.push_back(
-        {"probe", "as large as a water molecule, 1.4 (measure --probe adds it to radii instead)",
+        {"probe",
+         "as large as a water molecule, 1.4 (not a probe of 1.4, which is added to the radii)",
          filtration.index(probe), probe, kWaterRadius});
   }
   return alphas;

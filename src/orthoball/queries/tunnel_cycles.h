@@ -27,7 +27,8 @@ namespace orthoball {
 /// The search for one cycle reaches no more than some thousand vertices and, for the tunnel with
 /// the r-th longest life, 8 / r times as many as there are: then it keeps what it has. So all
 /// cycles together cost nearly what is linear in the vertices and the chains. 60 bytes a vertex, 13
-/// an edge and EdgeClasses. Refers to what it is made from. Not for several threads at once.
+/// an edge, the classes that are kept (4 bytes for each tunnel in each) and EdgeClasses. Refers to
+/// what it is made from. Not for several threads at once.
 /// @cite erickson_whittlesey_2005
 class TunnelCycles {
  public:
