@@ -198,11 +198,11 @@ ManifoldSolid<D> manifold_solid(const AlphaComplex<D>& shape) {
   describing.measure(result);
   result.changes = describing.changes();
   CompensatedSum added, removed;
-  for (const SolidChange<D>& change : result.changes) {
-    (change.is_added ? added : removed).add(change.volume);
+  for (const std::uint32_t cell : repair.changed()) {
+    (repair.solid()[cell] ? added : removed).add(repair.volume(cell));
   }
-  result.added = added.value().high;
-  result.removed = removed.value().high;
+  result.added = balls.units(D)(added.value());  // where volumes are beyond doubles: infinity
+  result.removed = balls.units(D)(removed.value());
   result.contains = repair.solid();
   return result;
 }
