@@ -15,9 +15,9 @@ struct PerSimplex {
 constexpr PerSimplex kCandidates{34, 52};
 constexpr PerSimplex kManifold{16, 22};
 constexpr PerSimplex kLocate{24, 36};
-constexpr PerSimplex kRepresentatives{100,
-                                      34};  // in space: random points take 42, shaken lattices 100
-constexpr std::uint64_t kLocated = 200;     // each point
+// In space random points take 42; lattices that are shaken a little, whose cycles are long, 100.
+constexpr PerSimplex kRepresentatives{100, 34};
+constexpr std::uint64_t kLocated = 200;  // each point
 
 }  // namespace
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 // Peaks of memory of what is asked of a filtration, beyond it, in bytes. Measured on random points
-// at several alphas, on one thread and on two.
+// at several alphas, on one thread and on two; representatives on shaken lattices, too.
 
 /// Of the candidates for alpha.
 [[nodiscard]] std::uint64_t candidates_memory(int dimension, std::size_t simplices);
