@@ -20,8 +20,6 @@
 
 namespace {
 
-constexpr double kLeastTolerance = 1e-4, kLargestTolerance = 0.5;
-
 std::vector<double> numbers(const std::string& option, const std::string& text) {
   std::vector<double> result;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -33,6 +31,8 @@ std::vector<double> numbers(const std::string& option, const std::string& text) 
 }
 
 double tolerance_of(const PowerCellFile& file) {
+  constexpr double kLeastTolerance = orthoball::PowerCellOptions::kLeastTolerance;
+  constexpr double kLargestTolerance = orthoball::PowerCellOptions::kLargestTolerance;
   const double tolerance = alpha2_from_text("--cells-tolerance", file.tolerance);
   if (!(tolerance >= kLeastTolerance && tolerance <= kLargestTolerance)) {
     throw UsageError(fmt::format("--cells-tolerance: {} is not from {} to {}", file.tolerance,

@@ -31,7 +31,8 @@ class AlphaShapes:
     depend on the set of points alone, not on their order or the number of threads. Any number of
     points is right, also none, equal ones and such that lie in a plane or on a line.
 
-    Once built, an object does not change, and any number of threads may use it.
+    Once built, an object does not change, and any number of threads may use it. It is not pickled:
+    send its points to another process, where the same shapes are built of them.
 
     Args:
         points: an array of shape (n, 2) or (n, 3): float64, float32 or integers of at most 2^53. Or
@@ -279,9 +280,7 @@ class AlphaShapes:
                 f"there are no classes of dimension {dimension}; they are 0 to {self.dimension - 1}"
             )
         if not minimum_length >= 0.0:
-            raise fault(
-                f"minimum_length is {minimum_length}; a length of lives is 0 or more"
-            )
+            raise fault(f"minimum_length is {minimum_length}; a length of lives is 0 or more")
         pairs = _core.persistence_pairs(self._core, all, minimum_length, self._threads)
         diagrams = Diagrams(self, pairs)
         return diagrams if dimension is None else diagrams[dimension]

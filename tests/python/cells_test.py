@@ -53,6 +53,11 @@ def test_cells_in_balls_are_the_parts_of_the_union(cloud):
     assert cells.exposed_area.sum() == pytest.approx(balls.area)
     assert np.allclose(cells.volumes, balls.volumes[cells.rows])
     assert len(cells.surfaces) == len(cells.rows)
+    for tolerance in (0, -1, 1, float("nan")):
+        with pytest.raises(InputError, match="from 0.0001 to 0.5"):
+            balls.power_cells(tolerance=tolerance)
+        with pytest.raises(InputError, match="from 0.0001 to 0.5"):
+            balls.to_bytes("cells", "vtu", tolerance=tolerance)
 
 
 def test_the_outline_of_disks_has_their_area_and_perimeter():

@@ -27,6 +27,17 @@ def test_the_tree_is_one_of_gudhi_with_its_values():
     assert tree.persistent_betti_numbers(0.001, 0.001) == list(AlphaShapes(SPACE).betti(0.001))
 
 
+def test_the_relative_precision_is_kept_and_without_effect():
+    complex_class = ours_gudhi.AlphaComplex
+    assert complex_class.get_float_relative_precision() == 1e-5
+    complex_class.set_float_relative_precision(0.5)
+    assert complex_class.get_float_relative_precision() == 0.5
+    complex_class.set_float_relative_precision(1e-5)
+    for wrong in (0, 1, -1, float("nan")):
+        with pytest.raises(ValueError, match="between 0 and 1"):
+            complex_class.set_float_relative_precision(wrong)
+
+
 def test_the_options_of_the_tree():
     pytest.importorskip("gudhi")
     complex_ = ours_gudhi.AlphaComplex(PLANE, precision="exact")
@@ -69,6 +80,11 @@ def test_alphashape_keeps_the_same_tetrahedra():
     volumes = np.abs(np.linalg.det(kept[:, 1:] - kept[:, :1])) / 6
     mesh = ours.alphashape(SPACE, 2.0)
     assert mesh.is_watertight and mesh.volume == pytest.approx(volumes.sum())
+
+
+def test_a_function_is_no_alpha():
+    with pytest.raises(TypeError, match="one number"):
+        ours.alphashape([[0, 0], [1, 0], [0, 1]], lambda indices, radius: 1.0)
 
 
 def test_zero_stands_for_the_convex_hull():

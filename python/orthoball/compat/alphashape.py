@@ -2,7 +2,9 @@
 """The functions of the package `alphashape` by orthoball: alpha is 1/radius.
 
 What differs: polygons keep their holes, which alphashape fills; a simplex whose radius is 1/alpha
-belongs to the shape, where alphashape leaves it out; points of more than three dimensions are
+belongs to the shape, where alphashape leaves it out; a shape is what is solid, so points on a line
+have an empty one, where alphashape has the line; alpha is one number, where alphashape also takes a
+function of simplices, of which no alpha shape comes; points of more than three dimensions are
 refused. shapely must be installed for points in the plane, trimesh for points in space.
 """
 
@@ -46,6 +48,10 @@ def alphashape(points: Any, alpha: float | None = None) -> Any:
     Returns:
         In the plane the solid part: a Polygon, MultiPolygon, or an empty GeometryCollection.
     """
+    if callable(alpha):
+        raise TypeError(
+            "alpha is a function of simplices; it must be one number, for shapes are those of one alpha"
+        )
     shapes = _shapes_of(points)
     if alpha is None:
         alpha = _optimal(shapes)

@@ -14,6 +14,8 @@ from numpy.typing import ArrayLike
 
 from .._alpha_shapes import AlphaShapes
 
+_relative_precision = 1e-5
+
 
 class AlphaComplex:
     """The alpha complex of points in the plane or in space.
@@ -35,6 +37,23 @@ class AlphaComplex:
             points = np.zeros((0, 3))
         self.shapes = AlphaShapes(points, weights)
         """The AlphaShapes, for everything else."""
+
+    @staticmethod
+    def set_float_relative_precision(precision: float) -> None:
+        """Sets what `get_float_relative_precision` tells, 0 < precision < 1, and nothing else: values
+        are the doubles nearest to the exact ones, whatever it is.
+
+        Raises ValueError for other numbers, as gudhi's does.
+        """
+        global _relative_precision
+        if not 0 < precision < 1:
+            raise ValueError(f"the relative precision is {precision}; it is between 0 and 1")
+        _relative_precision = float(precision)
+
+    @staticmethod
+    def get_float_relative_precision() -> float:
+        """1e-5, as gudhi's, unless it was set. The values' own is 2^-53."""
+        return _relative_precision
 
     def create_simplex_tree(
         self,

@@ -68,7 +68,7 @@ ConvexPolytope<3>::ConvexPolytope(const Point& lower, const Point& upper,
 template <>
 ConvexPolytope<2> ConvexPolytope<2>::in_unit_sphere(double tolerance, std::uint32_t label) {
   // The middle of a side is 1 - cos(pi / count) from the circle.
-  const double widest = std::acos(1.0 - std::max(tolerance, kLeastTolerance));
+  const double widest = std::acos(1.0 - tolerance);
   const auto count =
       static_cast<std::uint32_t>(std::max(3.0, std::ceil(std::numbers::pi / widest)));
   ConvexPolytope result;
@@ -83,7 +83,7 @@ ConvexPolytope<2> ConvexPolytope<2>::in_unit_sphere(double tolerance, std::uint3
 
 template <>
 ConvexPolytope<3> ConvexPolytope<3>::in_unit_sphere(double tolerance, std::uint32_t label) {
-  SphereTriangles triangles = sphere_triangles(std::max(tolerance, kLeastTolerance));
+  SphereTriangles triangles = sphere_triangles(tolerance);
   ConvexPolytope result;
   result.corners_ = std::move(triangles.corners);
   for (const auto& triangle : triangles.all) {

@@ -41,9 +41,8 @@ class ConvexPolytope {
   /// A polytope with its corners on the unit sphere around the origin and no point of its surface
   /// further from that than `tolerance`, all facets labelled `label`: a polygon with equal sides;
   /// in space an icosahedron whose triangles are divided in four again and again.
-  /// @param tolerance  at least kLeastTolerance, which stands for all that is less.
+  /// @param tolerance  from 0 exclusive to 1: in space about 7 / tolerance triangles.
   static ConvexPolytope in_unit_sphere(double tolerance, std::uint32_t label);
-  static constexpr double kLeastTolerance = 1e-4;
 
   /// Away from the origin by a factor.
   void scale(double factor);

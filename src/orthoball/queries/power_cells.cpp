@@ -308,6 +308,11 @@ template <int D>
 std::vector<PowerCell<D>> power_cells_in_balls(const Filtration<D>& filtration,
                                                const UnionOfBalls& balls,
                                                const PowerCellOptions& options) {
+  if (!(options.tolerance >= PowerCellOptions::kLeastTolerance &&
+        options.tolerance <= PowerCellOptions::kLargestTolerance)) {
+    throw InputError(InputError::Reason::wrong_argument, InputError::kNoRow,
+                     "the tolerance of power cells is not from 0.0001 to 0.5");
+  }
   const auto& sites = filtration.triangulation().sites();
   const std::vector<Touching> touching = touching_of(balls);
   std::vector<VertexId> vertices;

@@ -48,6 +48,7 @@ struct PowerCell {
 
 /// What else is wanted of power cells, and how they are computed.
 struct PowerCellOptions {
+  static constexpr double kLeastTolerance = 1e-4, kLargestTolerance = 0.5;
   bool surfaces = true;     ///< their corners and facets
   double tolerance = 0.02;  ///< of spheres: the largest distance of a surface from them, by radius
   Threads threads{};
@@ -80,6 +81,7 @@ template <int D>
 /// with corners on the sphere, cut by the same planes: inside the ball, and no further from its
 /// surface than the tolerance says. Facets that two of these have in common may differ as much.
 /// @param balls  a union of the filtration's balls, with its contacts.
+/// @throws InputError for a tolerance that is not from kLeastTolerance to kLargestTolerance.
 template <int D>
 [[nodiscard]] std::vector<PowerCell<D>> power_cells_in_balls(const Filtration<D>& filtration,
                                                              const UnionOfBalls& balls,
