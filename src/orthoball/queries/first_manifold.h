@@ -12,7 +12,8 @@ namespace orthoball {
 /// The first index, not below `from`, that `may_be` allows and at which the boundary of the cells
 /// of the complex is a closed manifold at every vertex; none where that never happens. Exact.
 ///
-/// Cells are added one after the other; only vertices of those that enter are looked at anew.
+/// Cells are added one after the other, and of the cells around their vertices the parts are kept
+/// (StarParts).
 /// @param may_be  [index], 0..s.
 template <int D>
 [[nodiscard]] std::optional<std::uint32_t> first_manifold(const Filtration<D>& filtration,

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <map>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "orthoball/filtration/filtration.h"
 #include "orthoball/measures/scaled_balls.h"
-#include "orthoball/queries/large_star.h"
+#include "orthoball/queries/part_steps.h"
 #include "orthoball/queries/star_parts.h"
 
 namespace orthoball {
 
 /// Changes a solid, a set of cells, until its boundary is a manifold.
 ///
-/// Refers to the filtration and the balls. Deterministic.
+/// Refers to the filtration. Deterministic.
 template <int D>
 class ManifoldRepair {
  public:
@@ -23,6 +24,9 @@ class ManifoldRepair {
   /// @param solid  [cell], by number among cells.
   ManifoldRepair(const Filtration<D>& filtration, const ScaledBalls<D>& balls,
                  std::vector<bool> solid);
+  ManifoldRepair(const ManifoldRepair&) = delete;  // steps_ refers to what is beside it
+  ManifoldRepair& operator=(const ManifoldRepair&) = delete;
+  ~ManifoldRepair() = default;
 
   /// The vertices at which the boundary is no manifold, ascending.
   [[nodiscard]] std::vector<std::uint32_t> offending() const;
@@ -30,56 +34,60 @@ class ManifoldRepair {
   void run();
 
   /// [cell]: the solid.
-  [[nodiscard]] const std::vector<bool>& solid() const { return solid_; }
+  [[nodiscard]] const std::vector<bool>& solid() const { return stars_.solid(); }
   /// The cells that are not as they were, ascending.
   [[nodiscard]] std::vector<std::uint32_t> changed() const;
   /// Of a cell, in the units of the balls.
-  [[nodiscard]] double volume(std::uint32_t cell) const;
+  [[nodiscard]] double volume(std::uint32_t cell) const { return volumes_[cell]; }
   /// How often the search had to clear the cells around a vertex.
   [[nodiscard]] std::uint32_t cleared_count() const { return cleared_count_; }
+  /// How many cells it looked at so far.
+  [[nodiscard]] std::uint64_t work() const { return work_ + stars_.work(); }
 
  private:
-  // Cells that change sides together.
-  struct Step {
-    double cost = 0.0;  // their volume, in the end for each surplus part less
-    std::vector<std::uint32_t> cells;
+  // A step of a plan: its volume for each surplus part that it takes away, as far as is known.
+  struct Planned {
+    double cost;
+    std::uint32_t step;
+    friend auto operator<=>(const Planned&, const Planned&) = default;
   };
-  // A vertex, when its next step was known last.
+  // What could be done at a vertex.
+  struct Plan {
+    std::vector<PartStep> steps;
+    std::vector<Planned> left;  // a heap, the cheapest first
+    std::uint64_t version = 0;
+    std::size_t turned = 0;  // cells around the vertex, since it was made
+  };
+  // A plan and its cheapest step.
   struct Waiting {
     double cost;
-    std::uint32_t vertex, version;
-    friend bool operator>(const Waiting& a, const Waiting& b) {
-      return a.cost != b.cost ? a.cost > b.cost : a.vertex > b.vertex;
-    }
+    std::uint32_t vertex;
+    std::uint64_t version;
+    friend auto operator<=>(const Waiting&, const Waiting&) = default;
   };
 
-  [[nodiscard]] std::vector<Step> steps(std::uint32_t vertex);
-  void add_path(std::vector<Step>& steps, std::uint32_t vertex, std::uint32_t from);
-  void add_step(std::vector<Step>& steps, Step step) const;
-  [[nodiscard]] Step best_step(std::uint32_t vertex);
-  [[nodiscard]] std::vector<std::uint32_t> vertices_of(std::span<const std::uint32_t> cells) const;
-  [[nodiscard]] std::uint32_t surplus(std::uint32_t vertex);
-  [[nodiscard]] std::int64_t gain(std::span<const std::uint32_t> cells, std::int64_t least);
+  void plan(std::uint32_t vertex, bool of_any_size);
+  void wait(std::uint32_t vertex, const Plan& plan);
+  [[nodiscard]] bool is_old(std::uint32_t vertex, const Plan& plan) const;
+  void take_planned();
+  void take_next(std::uint32_t vertex, Plan& plan);
+  void apply(const PartStep& step);
   void turn(std::span<const std::uint32_t> cells);
-  void apply(std::span<const std::uint32_t> cells);
-  void wait(double cost, std::uint32_t vertex);
-  void wait_all();
-  void take_steps();
-  void take_steps_at(std::uint32_t vertex);
   void take_all_steps();
-  bool clear_one();
+  void clear(std::uint32_t vertex);
+  void clear_some();
   void change_back();
 
-  const Filtration<D>& filtration_;
-  std::span<const CellRecord<D>> cells_;
-  const ScaledBalls<D>& balls_;
-  std::vector<bool> solid_, at_first_, is_cleared_;  // [cell]
+  std::vector<double> volumes_;  // [cell]
   StarParts<D> stars_;
-  std::map<std::uint32_t, LargeStar<D>> large_;  // by vertex
-  std::vector<std::uint32_t> surplus_;           // [vertex]
-  std::vector<std::uint32_t> version_;           // [vertex]: of what waits; older ones are void
-  std::vector<Waiting> waiting_;                 // a heap, the smallest first
-  std::uint32_t applied_count_ = 0, cleared_count_ = 0;
+  std::vector<bool> at_first_, is_cleared_;  // [cell]
+  PartSteps<D> steps_;
+  std::unordered_map<std::uint32_t, Plan> plans_;  // by vertex; only of those with surplus
+  std::vector<std::uint64_t> turned_at_;           // [vertex]: the version of the last turn there
+  std::vector<Waiting> waiting_;                   // a heap, the cheapest first
+  std::vector<std::uint32_t> near_;  // vertices of cells that turned and of those next to them
+  std::uint64_t version_ = 0, applied_count_ = 0, work_ = 0;
+  std::uint32_t cleared_count_ = 0;
 };
 
 extern template class ManifoldRepair<2>;  // defined in manifold_repair.cpp
