@@ -20,7 +20,7 @@
 namespace orthoball {
 namespace {
 
-constexpr std::size_t kLeastPart = std::size_t{1} << 15U;  // cells of one part
+constexpr std::size_t kLeastPart = std::size_t{1} << 14U;  // cells of one part
 
 template <int A>
 using Cells = std::span<const CellRecord<A>>;

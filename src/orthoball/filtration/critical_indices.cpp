@@ -296,7 +296,7 @@ CriticalIndices critical_indices(const RegularTriangulation<D>& triangulation,
   deal(std::span(result.enters).first(table.size()));
   with_affine_dimension(triangulation, [&]<int A>() {
     if constexpr (A >= 1) {
-      constexpr std::size_t kLeastPart = std::size_t{1} << 16U;
+      constexpr std::size_t kLeastPart = std::size_t{1} << 14U;
       const auto cells = triangulation.template cells<A>();
       const Threads used = threads.for_work(cells.size(), kLeastPart);
       HandDown<D, A>(cells, table, edges_of_cells, is_attached, ranks + 1, result)

@@ -193,7 +193,7 @@ EdgeNumbers edge_numbers_in_ranges(std::span<const CellRecord<3>> cells, std::si
 }
 
 EdgeNumbers edge_numbers(std::span<const CellRecord<3>> cells, Threads threads) {
-  constexpr std::size_t kLeast = std::size_t{1} << 16U;
+  constexpr std::size_t kLeast = std::size_t{1} << 14U;
   const Threads used = threads.for_work(cells.size(), kLeast);
   return edge_numbers_in_ranges(cells, used.count(), used);
 }

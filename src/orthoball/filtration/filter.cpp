@@ -14,7 +14,7 @@ namespace {
 
 constexpr unsigned kStretchBits = 16;  // indices of a stretch
 constexpr std::size_t kStretch = std::size_t{1} << kStretchBits;
-constexpr std::size_t kLeastPart = std::size_t{1} << 17U;  // simplices for a thread of its own
+constexpr std::size_t kLeastPart = std::size_t{1} << 15U;  // simplices for a thread of its own
 
 class FilterOrder {
  public:

@@ -66,7 +66,7 @@ class Ranking {
   static constexpr std::size_t kLists = std::size_t{A} + 1;  // of each part: one a dimension
   // More parts would leave more of the last chunks of their lists empty than fill the others.
   static constexpr std::size_t kMostParts = 12;
-  static constexpr std::size_t kLeastPart = std::size_t{1} << 18U;
+  static constexpr std::size_t kLeastPart = std::size_t{1} << 16U;
   static constexpr std::size_t kCrowd = std::size_t{1} << 17U;  // numbers of a bucket
   using Rows = std::span<std::uint32_t>;
   using ConstRows = std::span<const std::uint32_t>;

@@ -85,7 +85,7 @@ class Steps {
     }
   }
   [[nodiscard]] bool is_step(std::uint32_t cell, unsigned corner) const {
-    return (steps_[cell] >> corner & 1U) != 0;
+    return (unsigned{steps_[cell]} >> corner & 1U) != 0;
   }
 
   // On a line: a vertex between two segments.
