@@ -160,7 +160,8 @@ class Cutting {
       std::sort(corners.begin(), corners.end());
       tuples.push_back(std::move(corners));
     }
-    std::vector<std::size_t> numbers = conflicting_simplices<D>(sites, tuples);
+    // Also those that leave each other hardly any room: weights for that would be huge.
+    std::vector<std::size_t> numbers = conflicting_simplices<D>(sites, tuples).simplices;
     std::sort(numbers.begin(), numbers.end(),
               [&](std::size_t a, std::size_t b) { return tuples[a] < tuples[b]; });
     std::vector<SimplexRows> conflict;
