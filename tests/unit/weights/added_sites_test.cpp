@@ -84,6 +84,15 @@ TEST_F(AddedSitesTest, CutAllThatShareTheEdge) {
   EXPECT_LE(result.added, 4U);
 }
 
+TEST_F(AddedSitesTest, StandWhereEdgesOfTrianglesThatOverlapMeet) {
+  // A star of two triangles: six crossings, and in the middle the same triangles for both.
+  const WeightedPoints points = plane({0, 0, 60, 0, 30, 51, 0, 34, 60, 34, 30, -17});
+  const AddedSites result = expect_held<2>(points, {simplex({0, 1, 2}), simplex({3, 4, 5})}, 9.0);
+  EXPECT_EQ(result.added, 6U);
+  EXPECT_EQ(std::count(result.part_of.begin(), result.part_of.end(), 0U), 7);
+  EXPECT_EQ(std::count(result.part_of.begin(), result.part_of.end(), 1U), 7);
+}
+
 TEST_F(AddedSitesTest, AreOneWhereAnEdgePassesThroughATriangle) {
   const WeightedPoints points(3, {0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, -1, 1, 1.5, 1}, WeightKind::none,
                               {});
