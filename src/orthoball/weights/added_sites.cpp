@@ -307,19 +307,27 @@ class Cutting {
     return std::nullopt;
   }
 
-  // Where an edge of one meets an edge or triangle of another, inside of both.
+  // Where an edge of one meets an edge or triangle of another, inside of both: the longest edge,
+  // for those of given simplices are longer than those that cut them.
   [[nodiscard]] std::optional<Vector<D>> edge_through_another(
       const std::vector<SimplexRows>& conflict) const {
+    std::optional<Vector<D>> best;
+    double longest = 0.0;
     for (const SimplexRows& one : conflict) {
       for (std::size_t i = 0; i < one.size(); ++i) {
         for (std::size_t j = i + 1; j < one.size(); ++j) {
+          const double length = square(one[i], one[j]);
           for (const SimplexRows& other : conflict) {
-            if (auto x = crossing(at(one[i]), at(one[j]), other)) return x;
+            if (length <= longest) break;
+            if (const auto x = crossing(at(one[i]), at(one[j]), other)) {
+              best = x;
+              longest = length;
+            }
           }
         }
       }
     }
-    return std::nullopt;
+    return best;
   }
 
   // Where the edge from a to b passes through a face of at most D corners.
