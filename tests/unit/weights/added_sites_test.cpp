@@ -108,6 +108,28 @@ TEST_F(AddedSitesTest, CutTwoTrianglesThatCrossInSpace) {
   EXPECT_EQ(result.added, 2U);
 }
 
+// Edges that meet within a millionth of an edge of the site where one of them ends.
+TEST_F(AddedSitesTest, CutNextToASite) {
+  const WeightedPoints points =
+      WeightedPoints::fixed_point(3, 3, {333, 911, 577, 337, 413, 861, 333, 650, 556, 428, 908,
+                                         560, 970, 856, 363, 276, 473, 581, 902, 182, 946},
+                                  WeightKind::none, {});
+  const AddedSites result =
+      expect_held<3>(points, {simplex({0, 1, 2}), simplex({1, 3, 4}), simplex({3, 5, 6})}, 1.0);
+  EXPECT_EQ(result.added, 3U);
+}
+
+// Triangles of a lattice whose parts cross each other again and again, unless the longest edges are
+// cut first.
+TEST_F(AddedSitesTest, CutTheLongestEdgesFirst) {
+  const WeightedPoints points(
+      3, {4, 2, 4, 3, 3, 1, 0, 4, 0, 0, 1, 1, 1, 4, 0, 1, 4, 1, 0, 3, 3, 2, 3, 1}, WeightKind::none,
+      {});
+  const AddedSites result =
+      expect_held<3>(points, {simplex({0, 1, 2}), simplex({0, 3, 4}), simplex({5, 6, 7})}, 1.0);
+  EXPECT_LE(result.added, 12U);
+}
+
 TEST_F(AddedSitesTest, BreakARingInWhichNoTwoMeet) {
   const WeightedPoints points = plane({0, 0, 400, 0, 0, 400, 100, 100, 200, 100, 100, 200});
   const AddedSites result = expect_held<2>(
