@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <sstream>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "orthoball/output/byte_sink.h"
 #include "orthoball/output/points_table.h"
 #include "orthoball/triangulation/build.h"
+#include "orthoball/vectors.h"
 #include "orthoball/weights/added_sites.h"
 #include "orthoball/weights/enforced_weights.h"
 #include "orthoball/weights/linear_program.h"
@@ -174,10 +177,72 @@ void expect_fewest_named_and_freed(std::uint64_t seed) {
 
 TEST(EnforcedWeights, NameTheFewestThatExcludeEachOtherAndSitesFreeThem) {
   if (!has_linear_solver()) GTEST_SKIP() << "built without CLP";
-  const std::uint64_t seeds = generators::is_long_run() ? 200 : 15;
+  const std::uint64_t seeds = generators::is_long_run() ? 1000 : 15;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     expect_fewest_named_and_freed<2>(seed);
     expect_fewest_named_and_freed<3>(seed);
+  }
+}
+
+double size(const WeightedPoints& points, const SimplexRows& rows) {
+  std::array<std::array<double, 3>, 3> x{};
+  for (std::size_t corner = 0; corner < rows.size(); ++corner) {
+    for (int axis = 0; axis < points.dimension(); ++axis) {
+      x[corner][static_cast<std::size_t>(axis)] = points.coordinate(rows[corner].row(), axis);
+    }
+  }
+  const auto along = difference(x[1], x[0]);
+  if (rows.size() == 2) return std::sqrt(inner(along, along));
+  const auto normal = cross_product(along, difference(x[2], x[0]));
+  return std::sqrt(inner(normal, normal));
+}
+
+// Triangles, and in the plane edges too, many of which meet: sites are added, few, and all parts
+// are held, which together are as large as what they are parts of.
+template <int D>
+void expect_triangles_freed(std::uint64_t seed) {
+  SCOPED_TRACE(testing::Message() << "dimension " << D << ", seed " << seed);
+  Random random(seed);
+  const int count = D == 2 ? 12 : 18;
+  std::vector<double> coordinates;
+  for (int i = 0; i < count * D; ++i) coordinates.push_back(random.integer(0, 1000));
+  const WeightedPoints points =
+      WeightedPoints::fixed_point(D, 3, std::move(coordinates), WeightKind::none, {});
+  std::vector<SimplexRows> simplices;
+  while (simplices.size() < (D == 2 ? 4 : 3)) {
+    const auto order = generators::random_permutation(
+        static_cast<std::size_t>(count), static_cast<std::uint64_t>(random.integer(1, 1 << 30)));
+    SimplexRows rows;
+    for (int i = 0; i < (D == 2 ? random.integer(2, 3) : 3); ++i) {
+      rows.emplace_back(order[static_cast<std::size_t>(i)]);
+    }
+    std::sort(rows.begin(), rows.end());
+    if (size(points, rows) > 1e-3) simplices.push_back(rows);
+  }
+  const AddedSites sites = with_added_sites(points, simplices);
+  EXPECT_LE(sites.added, 30U);
+  std::vector<double> sum(simplices.size());
+  for (std::size_t part = 0; part < sites.simplices.size(); ++part) {
+    sum[sites.part_of[part]] += size(sites.points, sites.simplices[part]);
+  }
+  for (std::size_t i = 0; i < simplices.size(); ++i) {
+    EXPECT_NEAR(sum[i], size(points, simplices[i]), 1e-6) << "simplex " << i;
+  }
+  const double alpha2 = 1.0;
+  const EnforcedWeights weights =
+      enforced_weights(sites.points, sites.simplices, alpha2, Threads(1), sites.added);
+  EXPECT_TRUE(weights.conflict.empty());
+  const Wish wish{points, sites.simplices, alpha2};
+  const auto are_there = present<D>(wish, weights.points);
+  EXPECT_EQ(std::count(are_there.begin(), are_there.end(), false), 0);
+}
+
+TEST(EnforcedWeights, HoldPartsOfTrianglesThatMeet) {
+  if (!has_linear_solver()) GTEST_SKIP() << "built without CLP";
+  const std::uint64_t seeds = generators::is_long_run() ? 300 : 15;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    expect_triangles_freed<2>(seed);
+    expect_triangles_freed<3>(seed);
   }
 }
 

@@ -8,36 +8,43 @@
 // can still exclude each other in a ring; then one is cut in the middle of an edge, the longest
 // that breaks the ring.
 //
+// Triangles of the plane that overlap would be cut into parts that overlap, on and on. There only
+// the edges are cut, and then any regular triangulation that has these fills the triangles.
+//
 // Cheng, Dey, Shewchuk. Delaunay mesh generation. CRC Press (2012): protecting balls.
 #include "orthoball/weights/added_sites.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "orthoball/error.h"
+#include "orthoball/triangulation/build.h"
 #include "orthoball/vectors.h"
 #include "orthoball/weights/conflicting_simplices.h"
+#include "orthoball/weights/enforced_weights.h"
 #include "orthoball/weights/reweighted_points.h"
 
 namespace orthoball {
 namespace {
 
-constexpr double kFine = 1e-8;    // of the smallest simplex: where sites are put
-constexpr double kOn = 1e-6;      // of a simplex: what counts as on it
-constexpr std::size_t kMost = 6;  // sites a simplex
+constexpr double kFine = 1e-8;      // of the shortest edge: where sites are put
+constexpr double kOn = 10 * kFine;  // of the shortest edge: so near is on
+constexpr std::size_t kMost = 12;   // sites a simplex
+constexpr std::size_t kOutline = std::numeric_limits<std::size_t>::max();  // no given simplex
 
 template <int D>
 using Vector = std::array<double, std::size_t{D}>;
 
-// The factors with which the directions, up to three, sum up to `to`; empty where they do not, or
-// are not independent.
+// The factors with which the directions, up to three, sum up to `to`; empty where that is farther
+// away than `near`, or they are not independent.
 template <int D>
 std::optional<std::vector<double>> factors(const std::vector<Vector<D>>& directions,
-                                           const Vector<D>& to) {
+                                           const Vector<D>& to, double near) {
   const std::size_t count = directions.size();
   std::vector<std::vector<double>> rows(count, std::vector<double>(count + 1));
   double size = 0.0;
@@ -65,7 +72,7 @@ std::optional<std::vector<double>> factors(const std::vector<Vector<D>>& directi
     result.push_back(rows[i][count] / rows[i][i]);
     for (std::size_t axis = 0; axis < D; ++axis) rest[axis] -= result[i] * directions[i][axis];
   }
-  if (inner(rest, rest) > kOn * kOn * size) return std::nullopt;
+  if (inner(rest, rest) > near * near) return std::nullopt;
   return result;
 }
 
@@ -102,17 +109,20 @@ class Cutting {
     while (true) {
       const std::vector<SimplexRows> conflict = conflicting();
       if (conflict.empty()) break;
+      if (outline(conflict)) continue;
       if (const auto corner = corner_on_another(conflict)) {
         cut_at(*corner);
         continue;
       }
       if (points_.size() - given_ == most) {
         throw LimitError(std::to_string(most) +
-                         " added sites do not yet let weights hold the simplices");
+                         " added sites do not yet let weights hold the simplices; triangles in one "
+                         "plane of space that overlap, or tetrahedra, may take any number");
       }
       const auto crossing = edge_through_another(conflict);
       add(crossing ? *crossing : middle_of_an_edge(conflict));
     }
+    fill_outlines();
     for (SimplexRows& part : parts_) std::sort(part.begin(), part.end());
     return {points_, points_.size() - given_, parts_, part_of_};
   }
@@ -160,12 +170,86 @@ class Cutting {
       std::sort(corners.begin(), corners.end());
       tuples.push_back(std::move(corners));
     }
-    std::vector<std::size_t> numbers = conflicting_simplices<D>(sites, tuples);
+    // Also those that leave each other hardly any room: weights for that would be huge.
+    std::vector<std::size_t> numbers = conflicting_simplices<D>(sites, tuples).simplices;
     std::sort(numbers.begin(), numbers.end(),
               [&](std::size_t a, std::size_t b) { return tuples[a] < tuples[b]; });
     std::vector<SimplexRows> conflict;
     for (const std::size_t number : numbers) conflict.push_back(parts_[number]);
     return conflict;
+  }
+
+  // In the plane: has the edges of triangles among these in their place; whether there were any.
+  bool outline(const std::vector<SimplexRows>& conflict) {
+    if (D != 2) return false;
+    const auto is_meant = [&](const SimplexRows& part) {
+      return part.size() == 3 &&
+             std::find(conflict.begin(), conflict.end(), part) != conflict.end();
+    };
+    const std::size_t before = outlined_.size();
+    for (std::size_t i = 0; i < parts_.size();) {
+      if (!is_meant(parts_[i])) {
+        ++i;
+        continue;
+      }
+      const SimplexRows triangle = parts_[i];
+      outlined_.emplace_back(triangle, part_of_[i]);
+      parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(i));
+      part_of_.erase(part_of_.begin() + static_cast<std::ptrdiff_t>(i));
+      for (std::size_t left_out = 0; left_out < 3; ++left_out) {
+        SimplexRows edge = triangle;
+        edge.erase(edge.begin() + static_cast<std::ptrdiff_t>(left_out));
+        parts_.push_back(std::move(edge));
+        part_of_.push_back(kOutline);
+      }
+    }
+    return outlined_.size() > before;
+  }
+
+  // The triangles of one regular triangulation that fill outlined ones, in the place of outlines.
+  void fill_outlines() {
+    if (outlined_.empty()) return;
+    const double unit = std::pow(10.0, points_.decimals().value_or(0));
+    const DistinctSites<D> sites(points_);
+    std::vector<std::uint32_t> all(sites.x.size());
+    std::iota(all.begin(), all.end(), 0U);
+    std::vector<SimplexRows> parts = parts_;
+    for (SimplexRows& part : parts) std::sort(part.begin(), part.end());
+    const EnforcedWeights weights =
+        enforced_weights(points_, parts, sites.square_diameter(all) / unit / unit, Threads(1),
+                         points_.size() - given_);
+    if (!weights.conflict.empty()) {
+      throw LimitError(
+          "triangles that share area are cut along their edges, but weights that hold "
+          "the pieces need more digits than doubles have");
+    }
+    for (std::size_t i = parts_.size(); i-- > 0;) {
+      if (part_of_[i] != kOutline) continue;
+      parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(i));
+      part_of_.erase(part_of_.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    const Filtration<D> filtration(regular_triangulation<D>(weights.points));
+    for (std::uint32_t number = 0; number < filtration.size(); ++number) {
+      const SimplexId simplex(number);
+      if (filtration.dimension(simplex) != 2) continue;
+      const auto rows = filtration.rows(simplex);
+      const SimplexRows cell(rows.begin(), rows.end());
+      for (const auto& [triangle, of] : outlined_) {
+        if (face_around(triangle, middle(cell)).size() < 3) continue;
+        parts_.push_back(cell);
+        part_of_.push_back(of);
+      }
+    }
+  }
+
+  [[nodiscard]] Vector<D> middle(const SimplexRows& simplex) const {
+    Vector<D> x{};
+    for (const SiteId row : simplex) {
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        x[axis] += at(row)[axis] / static_cast<double>(simplex.size());
+      }
+    }
+    return x;
   }
 
   // The corners of the face of a simplex inside which a point lies; empty where it is not on it, or
@@ -175,7 +259,7 @@ class Cutting {
     for (const SiteId row : simplex) {
       if (row != simplex[0]) directions.push_back(difference(at(row), at(simplex[0])));
     }
-    const auto found = factors<D>(directions, difference(x, at(simplex[0])));
+    const auto found = factors<D>(directions, difference(x, at(simplex[0])), near());
     if (!found) return {};
     std::vector<double> shares{1.0};
     for (const double factor : *found) {
@@ -184,11 +268,32 @@ class Cutting {
     }
     SimplexRows face;
     for (std::size_t i = 0; i < shares.size(); ++i) {
-      if (shares[i] < -kOn) return {};
-      if (shares[i] > kOn) face.push_back(simplex[i]);
+      const double from_opposite = shares[i] * height(simplex, i);
+      if (from_opposite < -near()) return {};
+      if (from_opposite > near()) face.push_back(simplex[i]);
     }
     return face.size() < 2 ? SimplexRows() : face;
   }
+
+  // The distance of a corner from the span of the others.
+  [[nodiscard]] double height(const SimplexRows& simplex, std::size_t corner) const {
+    std::vector<Vector<D>> directions;
+    std::vector<SiteId> others = simplex;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(corner));
+    for (const SiteId row : others) {
+      if (row != others[0]) directions.push_back(difference(at(row), at(others[0])));
+    }
+    Vector<D> rest = difference(at(simplex[corner]), at(others[0]));
+    const auto found = factors<D>(directions, rest, std::numeric_limits<double>::infinity());
+    if (!found) return 0.0;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      for (std::size_t axis = 0; axis < D; ++axis) rest[axis] -= (*found)[i] * directions[i][axis];
+    }
+    return std::sqrt(inner(rest, rest));
+  }
+
+  // What is so near to a simplex is on it: more than what rounding moves sites.
+  [[nodiscard]] double near() const { return kOn * std::sqrt(least_); }
 
   [[nodiscard]] std::optional<SiteId> corner_on_another(
       const std::vector<SimplexRows>& conflict) const {
@@ -202,19 +307,27 @@ class Cutting {
     return std::nullopt;
   }
 
-  // Where an edge of one meets an edge or triangle of another, inside of both.
+  // Where an edge of one meets an edge or triangle of another, inside of both: the longest edge,
+  // for those of given simplices are longer than those that cut them.
   [[nodiscard]] std::optional<Vector<D>> edge_through_another(
       const std::vector<SimplexRows>& conflict) const {
+    std::optional<Vector<D>> best;
+    double longest = 0.0;
     for (const SimplexRows& one : conflict) {
       for (std::size_t i = 0; i < one.size(); ++i) {
         for (std::size_t j = i + 1; j < one.size(); ++j) {
+          const double length = square(one[i], one[j]);
           for (const SimplexRows& other : conflict) {
-            if (auto x = crossing(at(one[i]), at(one[j]), other)) return x;
+            if (length <= longest) break;
+            if (const auto x = crossing(at(one[i]), at(one[j]), other)) {
+              best = x;
+              longest = length;
+            }
           }
         }
       }
     }
-    return std::nullopt;
+    return best;
   }
 
   // Where the edge from a to b passes through a face of at most D corners.
@@ -230,8 +343,11 @@ class Cutting {
       for (const SiteId row : face) {
         if (row != face[0]) directions.push_back(difference(at(row), at(face[0])));
       }
-      const auto found = factors<D>(directions, difference(a, at(face[0])));
-      if (!found || (*found)[0] < kOn || (*found)[0] > 1.0 - kOn) continue;
+      const auto found = factors<D>(directions, difference(a, at(face[0])), near());
+      if (!found) continue;
+      // So far from the ends that a site near to the point is no end.
+      const double end = 2.0 * near() / std::sqrt(inner(directions[0], directions[0]));
+      if ((*found)[0] < end || (*found)[0] > 1.0 - end) continue;
       Vector<D> x = a;
       for (std::size_t axis = 0; axis < D; ++axis) x[axis] += (*found)[0] * (b[axis] - a[axis]);
       if (face_around(face, x).size() == face.size()) return x;
@@ -246,20 +362,17 @@ class Cutting {
     for (const SimplexRows& simplex : conflict) {
       for (std::size_t i = 0; i < simplex.size(); ++i) {
         for (std::size_t j = i + 1; j < simplex.size(); ++j) {
-          Vector<D> middle = at(simplex[i]);
-          for (double& x : middle) x /= 2;
-          for (std::size_t axis = 0; axis < D; ++axis) middle[axis] += at(simplex[j])[axis] / 2;
-          middles.emplace_back(square(simplex[i], simplex[j]), middle);
+          middles.emplace_back(square(simplex[i], simplex[j]), middle({simplex[i], simplex[j]}));
         }
       }
     }
     std::sort(middles.rbegin(), middles.rend());
-    for (const auto& [length, middle] : middles) {
+    for (const auto& [length, x] : middles) {
       Cutting trial = *this;
       trial.parts_ = conflict;
       trial.part_of_.assign(conflict.size(), 0);
-      trial.add(middle);
-      if (trial.conflicting().empty()) return middle;
+      trial.add(x);
+      if (trial.conflicting().empty()) return x;
     }
     return middles[0].second;
   }
@@ -268,7 +381,7 @@ class Cutting {
   void add(const Vector<D>& x) {
     for (std::uint32_t row = 0; row < points_.size(); ++row) {
       const Vector<D> away = difference(at(SiteId(row)), x);
-      if (inner(away, away) <= kOn * kOn * least_) return cut_at(SiteId(row));
+      if (inner(away, away) <= near() * near() / 4) return cut_at(SiteId(row));
     }
     std::array<double, 3> position{};
     std::copy(x.begin(), x.end(), position.begin());
@@ -294,7 +407,9 @@ class Cutting {
       }
     }
     if (parts.size() == parts_.size()) {
-      throw LimitError("simplices that exclude each other meet too near to a site to be cut there");
+      throw LimitError(
+          "simplices that exclude each other meet too near to a site to be cut there: nearer than "
+          "sites can be put");
     }
     parts_ = std::move(parts);
     part_of_ = std::move(part_of);
@@ -305,6 +420,7 @@ class Cutting {
   double least_ = std::numeric_limits<double>::infinity();  // squared length of an edge
   std::vector<SimplexRows> parts_;                          // corners by position
   std::vector<std::size_t> part_of_;
+  std::vector<std::pair<SimplexRows, std::size_t>> outlined_;  // triangles, of which given ones
 };
 
 }  // namespace

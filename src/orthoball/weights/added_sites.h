@@ -27,15 +27,16 @@ struct AddedSites {
 /// Few: as long as some simplices exclude each other, one site is added where an edge of one meets
 /// another, none where a corner of one lies on another or a site is there (they are cut there), and
 /// in the middle of their longest edge if no two of them meet. So two edges that cross take one
-/// site.
+/// site. Triangles of the plane that exclude others are filled by those of one regular
+/// triangulation, which has sites only where edges meet.
 ///
 /// Of rows at one position with several weights the heaviest stands for all. Sites are where
 /// doubles and then rounding put them: to 10^-8 of the smallest simplex, in decimal fixed point as
 /// 2^53 allows. The parts have these sites as corners, exactly.
 /// @param simplices  as enforced_weights() takes them.
-/// @throws LimitError as enforced_weights() does, and where 6 sites a simplex are not enough:
-/// simplices that share
-///         area in the plane, or volume in space, may take many more.
+/// @throws LimitError as enforced_weights() does, and where 12 sites a simplex are not enough, or
+///         what is left excludes each other nearer to a site than sites can be put: triangles in
+///         one plane of space that overlap, and tetrahedra, may take any number.
 /// @cite cheng_2012_delaunay
 [[nodiscard]] AddedSites with_added_sites(const WeightedPoints& points,
                                           std::span<const SimplexRows> simplices);

@@ -4,8 +4,10 @@
 // of all that ever were, which tells weights. What is never missing has no part in the program, so
 // it can only be a program with fewer conditions: a solution that misses nothing is the best.
 //
-// A witness has a margin of a millionth of its simplex, so that weights can be rounded to decimals;
-// where they are so fine that rounding loses a simplex all the same, the margin grows.
+// A witness has a margin of a millionth of its simplex, so that weights can be rounded to decimals.
+// Where the simplices leave each other hardly any room it takes huge weights to make that much of
+// it: then the margin is smaller. Where weights are so fine that rounding loses a simplex all the
+// same, it grows.
 #include "orthoball/weights/enforced_weights.h"
 
 #include <algorithm>
@@ -26,9 +28,11 @@ namespace orthoball {
 namespace {
 
 constexpr double kMargin = 1e-6;  // of a diameter squared
-constexpr double kLargestMargin = 1e-2;
-constexpr double kRounding = 1e-3;  // of the margin
-constexpr double kNothing = 1e-4;   // of the total change
+constexpr double kLeastMargin = 1e-13, kLargestMargin = 1e-2;
+constexpr double kFiner = 100.0;
+constexpr double kRounding = 1e-3;       // of the margin
+constexpr double kNothing = 1e-4;        // of the total change
+constexpr double kNothingOfSize = 1e-5;  // of a diameter squared, in the total change
 
 [[noreturn]] void refuse(std::size_t simplex, const std::string& what) {
   throw InputError(InputError::Reason::wrong_argument, simplex,
@@ -88,7 +92,8 @@ class Enforcement {
         threads_(threads),
         given_(points.size() - added),
         sites_(points),
-        is_free_(sites_.x.size(), true) {
+        is_free_(sites_.x.size(), true),
+        input_unit_(std::pow(10.0, points.decimals().value_or(0))) {
     for (std::size_t row = 0; row < given_; ++row) is_free_[sites_.site_of_row[row]] = false;
     for (const SimplexRows& rows : simplices) {
       SiteTuple corners;
@@ -96,32 +101,31 @@ class Enforcement {
       std::sort(corners.begin(), corners.end());
       tuples_.push_back(std::move(corners));
     }
+    sizes_ = sizes_of(sites_, tuples_);
   }
 
   EnforcedWeights result() {
     EnforcedWeights result{points_, {}, {}, 0.0, {}};
     if (add_missing(points_)) return result;
     const std::vector<SiteId> hidden_before = hidden_;
-    for (double margin = kMargin; margin <= kLargestMargin; margin *= 10.0) {
-      bool is_rounding = false;  // what the program holds is lost by rounding
-      while (!is_rounding) {
-        if (!held(margin, result)) {
-          result = {points_, {}, {}, 0.0, conflicting_simplices<D>(sites_, tuples_)};
-          if (result.conflict.empty()) {
-            throw LimitError("weights that hold the simplices need more digits than doubles have");
-          }
-          return result;
-        }
-        const std::size_t before = active_.size();
-        if (add_missing(result.points)) {
-          std::set_difference(hidden_.begin(), hidden_.end(), hidden_before.begin(),
-                              hidden_before.end(), std::back_inserter(result.hidden));
-          return result;
-        }
-        is_rounding = active_.size() == before;
+    for (double least_margin = 0.0; least_margin <= kLargestMargin;) {
+      const Held held = least_held(least_margin);
+      if (held.changes.empty()) {
+        Conflict conflict = conflicting_simplices<D>(sites_, tuples_);
+        if (!conflict.is_proved) break;
+        return {points_, {}, {}, 0.0, std::move(conflict.simplices)};
       }
+      make(held, result);
+      const std::size_t before = active_.size();
+      if (add_missing(result.points)) {
+        std::set_difference(hidden_.begin(), hidden_.end(), hidden_before.begin(),
+                            hidden_before.end(), std::back_inserter(result.hidden));
+        return result;
+      }
+      // Else what the program holds is lost by rounding.
+      if (active_.size() == before) least_margin = 10.0 * held.margin;
     }
-    throw LimitError("weights that hold the simplices need more digits than the coordinates leave");
+    throw LimitError("weights that hold the simplices need more digits than doubles have");
   }
 
  private:
@@ -137,11 +141,42 @@ class Enforcement {
     return std::find(present.begin(), present.end(), false) == present.end();
   }
 
+  struct Held {
+    double margin = 0.0;
+    std::vector<double> changes{};  // [site]; empty where they cannot be held
+  };
+
+  [[nodiscard]] WitnessOptions options(double margin) const {
+    return {.unit = sizes_.middle, .margin = margin, .alpha2 = alpha2_ * input_unit_ * input_unit_};
+  }
+
   // [site]: with which the active simplices are held; empty where they cannot be.
   [[nodiscard]] std::vector<double> changes_of(const WitnessOptions& options) const {
     WitnessProgram<D> program(sites_, options);
     for (const SiteTuple& simplex : active_) program.add(simplex);
-    return program.solve() ? program.changes() : std::vector<double>();
+    return program.solve() == Outcome::solved ? program.changes() : std::vector<double>();
+  }
+
+  // By the margin, or by a finer one where that changes notably less; by no finer one than
+  // `least_margin` if that is not 0.
+  [[nodiscard]] Held least_held(double least_margin) const {
+    Held best;
+    double margin = std::max(kMargin, least_margin);
+    do {
+      Held finer{margin, changes_of(options(margin))};
+      if (!finer.changes.empty()) {
+        const bool is_any = !best.changes.empty();
+        const double most =
+            (1.0 - kNothing) * total(best.changes) - kNothingOfSize * sizes_.middle * sizes_.middle;
+        if (is_any && total(finer.changes) >= most) break;
+        best = std::move(finer);
+      } else if (!best.changes.empty()) {
+        break;
+      }
+      margin /= kFiner;
+    } while (margin >= std::max(kLeastMargin, least_margin));
+    if (!best.changes.empty()) leave_small_away(options(best.margin), best.changes);
+    return best;
   }
 
   [[nodiscard]] double total(const std::vector<double>& changes) const {
@@ -175,15 +210,9 @@ class Enforcement {
     }
   }
 
-  // Weights that hold the active simplices, into `result`; false where there are none.
-  bool held(double margin, EnforcedWeights& result) {
-    const Sizes sizes = sizes_of(sites_, tuples_);
-    const double input_unit = std::pow(10.0, points_.decimals().value_or(0));
-    const WitnessOptions options{
-        .unit = sizes.middle, .margin = margin, .alpha2 = alpha2_ * input_unit * input_unit};
-    std::vector<double> changes = changes_of(options);
-    if (changes.empty()) return false;
-    leave_small_away(options, changes);
+  // The points with the changed weights.
+  void make(const Held& held, EnforcedWeights& result) const {
+    const std::vector<double>& changes = held.changes;
     std::vector<NewWeight> weights;
     result.changed.clear();
     for (std::size_t row = 0; row < points_.size(); ++row) {
@@ -193,10 +222,9 @@ class Enforcement {
       weights.push_back({id, sites_.weight[site] + changes[site]});
       if (row < given_) result.changed.push_back(id);
     }
-    result.total_change = total(changes) / input_unit / input_unit;
-    const double step = kRounding * margin * sizes.least * sizes.least;
+    result.total_change = total(changes) / input_unit_ / input_unit_;
+    const double step = kRounding * held.margin * sizes_.least * sizes_.least;
     result.points = reweighted(points_, decimals_for(points_, step), weights);
-    return true;
   }
 
   const WeightedPoints& points_;
@@ -207,6 +235,8 @@ class Enforcement {
   DistinctSites<D> sites_;
   std::vector<bool> is_free_;      // [site]: has none
   std::vector<SiteTuple> tuples_;  // [simplex]
+  double input_unit_;              // in the unit of the arrays
+  Sizes sizes_{};                  // of the simplices
   std::set<SiteTuple> active_;     // those that ever were missing
   std::vector<SiteId> hidden_;     // with the weights that were looked at last
 };

@@ -8,8 +8,6 @@
 #include <Clp_C_Interface.h>
 #include <dlfcn.h>
 
-#include <cmath>
-
 namespace orthoball {
 namespace {
 
@@ -37,10 +35,8 @@ struct Functions {
   decltype(&Clp_status) status = find<decltype(&Clp_status)>("Clp_status");
   decltype(&Clp_primalColumnSolution) primal_column_solution =
       find<decltype(&Clp_primalColumnSolution)>("Clp_primalColumnSolution");
-  decltype(&Clp_numberRows) number_rows = find<decltype(&Clp_numberRows)>("Clp_numberRows");
-  decltype(&Clp_infeasibilityRay) infeasibility_ray =
-      find<decltype(&Clp_infeasibilityRay)>("Clp_infeasibilityRay");
-  decltype(&Clp_freeRay) free_ray = find<decltype(&Clp_freeRay)>("Clp_freeRay");
+  decltype(&Clp_dualRowSolution) dual_row_solution =
+      find<decltype(&Clp_dualRowSolution)>("Clp_dualRowSolution");
 
   [[nodiscard]] bool are_there() const { return library != nullptr && !lacks_one; }
 
@@ -144,39 +140,30 @@ std::size_t LinearProgram::add_condition(double least, double most, std::span<co
   return model_->least_sums.size() - 1;
 }
 
-bool LinearProgram::solve() {
+Outcome LinearProgram::solve() {
   const auto status_of = [&](const auto& method) {
     method(model_->clp, 0);
     return solver().status(model_->clp);
   };
   model_->hand_over();
   const int status = status_of(solver().dual);
-  if (status == kOptimal) return true;
+  if (status == kOptimal) return Outcome::solved;
   // Once more by the other method and from the beginning, for what rounding may have done.
   model_->begin_anew();
   const int again = status_of(solver().primal);
-  if (again == kOptimal) return true;
-  if (again == kInfeasible) return false;
-  if (status == kInfeasible) {
-    model_->begin_anew();
-    if (status_of(solver().dual) == kInfeasible) return false;
-  }
-  throw LimitError("the linear program for the weights could not be solved");
+  if (again == kOptimal) return Outcome::solved;
+  if (again == kInfeasible) return Outcome::infeasible;
+  if (status != kInfeasible) return Outcome::unknown;
+  model_->begin_anew();
+  return status_of(solver().dual) == kInfeasible ? Outcome::infeasible : Outcome::unknown;
 }
 
 double LinearProgram::value(std::size_t variable) const {
   return solver().primal_column_solution(model_->clp)[variable];
 }
 
-std::vector<std::size_t> LinearProgram::contradiction() const {
-  std::vector<std::size_t> conditions;
-  const auto count = static_cast<std::size_t>(solver().number_rows(model_->clp));
-  double* const ray = solver().infeasibility_ray(model_->clp);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (ray == nullptr || std::abs(ray[i]) > kTolerance) conditions.push_back(i);
-  }
-  if (ray != nullptr) solver().free_ray(model_->clp, ray);
-  return conditions;
+double LinearProgram::price(std::size_t condition) const {
+  return solver().dual_row_solution(model_->clp)[condition];
 }
 
 #else
@@ -194,9 +181,9 @@ LinearProgram::LinearProgram() {
 }
 std::size_t LinearProgram::add_variable(double, double) { return 0; }
 std::size_t LinearProgram::add_condition(double, double, std::span<const Term>) { return 0; }
-bool LinearProgram::solve() { return false; }
+Outcome LinearProgram::solve() { return Outcome::unknown; }
 double LinearProgram::value(std::size_t) const { return 0.0; }
-std::vector<std::size_t> LinearProgram::contradiction() const { return {}; }
+double LinearProgram::price(std::size_t) const { return 0.0; }
 
 #endif
 

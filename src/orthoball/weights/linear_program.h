@@ -12,6 +12,13 @@ namespace orthoball {
 /// Whether this library was built with a solver of linear programs.
 [[nodiscard]] bool has_linear_solver();
 
+/// What became of a linear program.
+enum class Outcome {
+  solved,
+  infeasible,  ///< no values satisfy the conditions
+  unknown,     ///< rounding, or the length of the way, stopped the solver
+};
+
 /// A linear program that grows: the least cost of real variables under linear conditions. Numbers
 /// are doubles and conditions hold to about 1e-9: what is decided by it is to be verified.
 ///
@@ -39,14 +46,13 @@ class LinearProgram {
   std::size_t add_condition(double least, double most, std::span<const Term> terms);
 
   /// Solves, beginning from the last solution.
-  /// @return false where no values satisfy the conditions.
-  /// @throws LimitError where the solver gives up.
-  [[nodiscard]] bool solve();
-  /// Of a variable in the last solution; after solve() was true.
+  [[nodiscard]] Outcome solve();
+  /// Of a variable in the last solution; after solve() was solved.
   [[nodiscard]] double value(std::size_t variable) const;
-  /// [k]: conditions that no values satisfy together; after solve() was false. All if the solver
-  /// names none.
-  [[nodiscard]] std::vector<std::size_t> contradiction() const;
+  /// By how much the least cost grows for each unit that is added to what a condition demands: 0
+  /// where that does not matter; after solve() was solved. Times these factors the conditions sum
+  /// up to one that no values of less cost satisfy.
+  [[nodiscard]] double price(std::size_t condition) const;
 
  private:
   struct Model;

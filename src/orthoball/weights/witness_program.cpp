@@ -13,6 +13,10 @@
 // solution that violates none is one of all conditions. Where these few contradict each other, all
 // do. Sites without a condition keep their weights.
 //
+// Without an alpha2 all weights may be as large as they must: then the margins have any size, or
+// none. So there the least is looked for that all margins lack; the prices of the conditions tell
+// why it is not 0.
+//
 // Each change of a weight is the difference of two variables that are not negative, and the cost is
 // their sum: the total change. Its least value is found at a corner of the polytope of solutions,
 // where few weights change. Lengths are in units of the simplex's diameter, from one of its
@@ -23,21 +27,23 @@
 #include <cmath>
 #include <utility>
 
-#include "orthoball/error.h"
 #include "orthoball/vectors.h"
 
 namespace orthoball {
 namespace {
 
-constexpr int kMostRounds = 2000;       // of adding what is violated
+constexpr int kMostRounds = 500;        // of adding what is violated
 constexpr std::size_t kMostOthers = 6;  // conditions added for a simplex in one round
-constexpr double kNoChange = 1e-9;      // of a weight, in the unit of the program squared
+constexpr double kNoChange = 1e-9;      // a value of the program that stands for no change
+constexpr double kSmallest = 1e-6;      // value of a margin in the program
 
 }  // namespace
 
 template <int D>
 WitnessProgram<D>::WitnessProgram(const DistinctSites<D>& sites, const WitnessOptions& options)
-    : sites_(sites), options_(options) {}
+    : sites_(sites), options_(options) {
+  if (!options.alpha2) lack_ = program_.add_variable(0.0, 1.0);
+}
 
 template <int D>
 auto WitnessProgram<D>::in_frame(const Witness& witness, std::uint32_t site) const -> Vector {
@@ -46,6 +52,13 @@ auto WitnessProgram<D>::in_frame(const Witness& witness, std::uint32_t site) con
     y[axis] = (sites_.x[site][axis] - witness.origin[axis]) / witness.diameter;
   }
   return y;
+}
+
+// Values in the program are so much larger: a smaller margin is seen as well by the solver, whose
+// tolerance is absolute.
+template <int D>
+double WitnessProgram<D>::magnification() const {
+  return std::max(1.0, kSmallest / options_.margin);
 }
 
 template <int D>
@@ -65,7 +78,8 @@ double WitnessProgram<D>::change(std::uint32_t site) const {
   const auto found = changes_.find(site);
   if (found == changes_.end()) return 0.0;
   const double change = program_.value(found->second.plus) - program_.value(found->second.minus);
-  return std::abs(change) < kNoChange ? 0.0 : change * options_.unit * options_.unit;
+  const double unit = options_.unit * options_.unit / magnification();
+  return std::abs(change) < kNoChange ? 0.0 : change * unit;
 }
 
 template <int D>
@@ -113,35 +127,51 @@ void WitnessProgram<D>::add_condition(std::size_t number, std::uint32_t site, bo
     if (y[axis] != 0.0) terms.push_back({witness.first_variable + axis, -2.0 * y[axis]});
   }
   terms.push_back({witness.first_variable + D, 1.0});
-  const double least = sites_.weight[site] / square - inner(y, y);
+  const double least = (sites_.weight[site] / square - inner(y, y)) * magnification();
   if (is_corner) {
     program_.add_condition(least, least, terms);
   } else {
-    program_.add_condition(least + options_.margin, LinearProgram::kInfinity, terms);
+    if (lack_) terms.push_back({*lack_, 1.0});
+    program_.add_condition(least + options_.margin * magnification(), LinearProgram::kInfinity,
+                           terms);
     witness.others.push_back(site);
   }
-  witness_of_condition_.push_back(number);
+  conditions_.emplace_back(WitnessCondition{number, site, 1.0 / square});
 }
 
+// In units in which the larger of its numbers is about 1, for the solver's tolerance.
 template <int D>
 void WitnessProgram<D>::add_cut(std::size_t number, const Vector& at) {
   const Witness& witness = witnesses_[number];
+  const double size = std::max(cut_size(witness), inner(at, at));
   std::vector<LinearProgram::Term> terms;
   for (std::size_t axis = 0; axis < D; ++axis) {
-    terms.push_back({witness.first_variable + axis, 2.0 * at[axis]});
+    terms.push_back({witness.first_variable + axis, 2.0 * at[axis] / size});
   }
-  terms.push_back({witness.first_variable + D, -1.0});
-  const double alpha2 = *options_.alpha2 / (witness.diameter * witness.diameter);
-  program_.add_condition(-LinearProgram::kInfinity, alpha2 - options_.margin + inner(at, at),
-                         terms);
-  witness_of_condition_.push_back(number);
+  terms.push_back({witness.first_variable + D, -1.0 / size});
+  const double most = most_power(witness) + inner(at, at);
+  program_.add_condition(-LinearProgram::kInfinity, most / size * magnification(), terms);
+  conditions_.emplace_back();
+}
+
+// alpha2 in the frame of the witness, or 1 where that is more.
+template <int D>
+double WitnessProgram<D>::cut_size(const Witness& witness) const {
+  return std::max(1.0, std::abs(*options_.alpha2) / (witness.diameter * witness.diameter));
+}
+
+// Of the corners at the witness: alpha2 less the margin.
+template <int D>
+double WitnessProgram<D>::most_power(const Witness& witness) const {
+  return *options_.alpha2 / (witness.diameter * witness.diameter) -
+         options_.margin * cut_size(witness);
 }
 
 template <int D>
 auto WitnessProgram<D>::place(const Witness& witness) const -> Vector {
   Vector x;
   for (std::size_t axis = 0; axis < D; ++axis)
-    x[axis] = program_.value(witness.first_variable + axis);
+    x[axis] = program_.value(witness.first_variable + axis) / magnification();
   return x;
 }
 
@@ -150,10 +180,11 @@ template <int D>
 bool WitnessProgram<D>::add_violated(std::size_t number, const std::vector<double>& changes) {
   const Witness& witness = witnesses_[number];
   const Vector x = place(witness);
-  const double q = program_.value(witness.first_variable + D);
+  const double q = program_.value(witness.first_variable + D) / magnification();
   const double square = witness.diameter * witness.diameter;
   bool is_violated = false;
-  if (options_.alpha2 && inner(x, x) - q > *options_.alpha2 / square - options_.margin / 2) {
+  if (options_.alpha2 &&
+      inner(x, x) - q > most_power(witness) + options_.margin / 2 * cut_size(witness)) {
     add_cut(number, x);
     is_violated = true;
   }
@@ -176,18 +207,21 @@ bool WitnessProgram<D>::add_violated(std::size_t number, const std::vector<doubl
 }
 
 template <int D>
-bool WitnessProgram<D>::solve() {
+Outcome WitnessProgram<D>::solve() {
   for (int round = 0; round < kMostRounds; ++round) {
-    if (!program_.solve()) return false;
+    const Outcome outcome = program_.solve();
+    if (outcome != Outcome::solved) return outcome;
+    if (lack_ && program_.value(*lack_) > options_.margin / 2 * magnification()) {
+      return Outcome::infeasible;
+    }
     bool is_violated = false;
     const std::vector<double> of_sites = changes();
     for (std::size_t number = 0; number < witnesses_.size(); ++number) {
       if (add_violated(number, of_sites)) is_violated = true;
     }
-    if (!is_violated) return true;
+    if (!is_violated) return Outcome::solved;
   }
-  throw LimitError("the weights that hold the simplices were not found in " +
-                   std::to_string(kMostRounds) + " rounds of linear programs");
+  return Outcome::unknown;
 }
 
 template <int D>
@@ -198,16 +232,14 @@ std::vector<double> WitnessProgram<D>::changes() const {
 }
 
 template <int D>
-std::vector<std::size_t> WitnessProgram<D>::contradiction() const {
-  std::vector<bool> is_named(witnesses_.size());
-  for (const std::size_t condition : program_.contradiction()) {
-    is_named[witness_of_condition_[condition]] = true;
+std::vector<WitnessCondition> WitnessProgram<D>::contradiction() const {
+  std::vector<WitnessCondition> named;
+  for (std::size_t i = 0; i < conditions_.size(); ++i) {
+    if (!conditions_[i] || program_.price(i) == 0.0) continue;
+    named.push_back(*conditions_[i]);
+    named.back().factor *= program_.price(i);
   }
-  std::vector<std::size_t> numbers;
-  for (std::size_t number = 0; number < is_named.size(); ++number) {
-    if (is_named[number]) numbers.push_back(number);
-  }
-  return numbers;
+  return named;
 }
 
 template class WitnessProgram<2>;

@@ -16,11 +16,20 @@ namespace orthoball {
 /// The sites at the corners of one simplex, ascending, as DistinctSites numbers them.
 using SiteTuple = std::vector<std::uint32_t>;
 
+/// A condition on the power of a site at the witness of a simplex: no less than that of its
+/// corners, or that if it is one.
+struct WitnessCondition {
+  std::size_t simplex;  ///< its number, in order of WitnessProgram::add()
+  std::uint32_t site;
+  double
+      factor;  ///< with which it enters a sum of conditions, on powers in the sites' unit squared
+};
+
 /// What a WitnessProgram looks for.
 struct WitnessOptions {
-  double unit = 1.0;    ///< a length about that of the simplices
-  double margin = 0.0;  ///< by which others have more power at a witness, and alpha2 is kept: times
-                        ///< the diameter of the simplex squared
+  double unit = 1.0;     ///< a length about that of the simplices
+  double margin = 1e-6;  ///< by which others have more power at a witness, times the diameter of
+                         ///< the simplex squared, and by which alpha2 is kept, times that or alpha2
   std::optional<double> alpha2{};  ///< of which the complex is to hold the simplices; in the unit
                                    ///< of the sites squared. None: any
   const std::vector<bool>* counted =
@@ -43,14 +52,13 @@ class WitnessProgram {
   /// One more simplex that must be there.
   void add(const SiteTuple& simplex);
 
-  /// @return false where no weights do.
-  /// @throws LimitError where the solver gives up.
-  [[nodiscard]] bool solve();
-  /// [site]: the weight less that of the sites, in their unit squared; after solve() was true.
+  /// Infeasible: no weights do, as far as doubles tell.
+  [[nodiscard]] Outcome solve();
+  /// [site]: the weight less that of the sites, in their unit squared; after solve() was solved.
   [[nodiscard]] std::vector<double> changes() const;
-  /// Numbers, in order of add(), of simplices that no weights hold together; after solve() was
-  /// false. Not the fewest.
-  [[nodiscard]] std::vector<std::size_t> contradiction() const;
+  /// What contradicts each other where no weights do, in doubles: without an alpha2 of which the
+  /// complex is to hold them, after solve() was infeasible.
+  [[nodiscard]] std::vector<WitnessCondition> contradiction() const;
 
  private:
   using Vector = std::array<double, std::size_t{D}>;
@@ -72,8 +80,11 @@ class WitnessProgram {
   [[nodiscard]] Change change_of(std::uint32_t site);
   [[nodiscard]] double change(std::uint32_t site) const;
   [[nodiscard]] Vector place(const Witness& witness) const;
+  [[nodiscard]] double magnification() const;
   void add_condition(std::size_t number, std::uint32_t site, bool is_corner);
   void add_cut(std::size_t number, const Vector& at);
+  [[nodiscard]] double cut_size(const Witness& witness) const;
+  [[nodiscard]] double most_power(const Witness& witness) const;
   [[nodiscard]] bool add_violated(std::size_t number, const std::vector<double>& changes);
 
   const DistinctSites<D>& sites_;
@@ -81,7 +92,9 @@ class WitnessProgram {
   LinearProgram program_;
   std::vector<Witness> witnesses_;
   std::unordered_map<std::uint32_t, Change> changes_;  // looked up only, never walked
-  std::vector<std::size_t> witness_of_condition_;
+  // By their numbers in the program; of factor 1 there, none for a tangent.
+  std::vector<std::optional<WitnessCondition>> conditions_;
+  std::optional<std::size_t> lack_;  // variable: what all margins lack, where there is no alpha2
 };
 
 extern template class WitnessProgram<2>;  // defined in witness_program.cpp

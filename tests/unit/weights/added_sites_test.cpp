@@ -84,6 +84,15 @@ TEST_F(AddedSitesTest, CutAllThatShareTheEdge) {
   EXPECT_LE(result.added, 4U);
 }
 
+TEST_F(AddedSitesTest, StandWhereEdgesOfTrianglesThatOverlapMeet) {
+  // A star of two triangles: six crossings, and in the middle the same triangles for both.
+  const WeightedPoints points = plane({0, 0, 60, 0, 30, 51, 0, 34, 60, 34, 30, -17});
+  const AddedSites result = expect_held<2>(points, {simplex({0, 1, 2}), simplex({3, 4, 5})}, 9.0);
+  EXPECT_EQ(result.added, 6U);
+  EXPECT_EQ(std::count(result.part_of.begin(), result.part_of.end(), 0U), 7);
+  EXPECT_EQ(std::count(result.part_of.begin(), result.part_of.end(), 1U), 7);
+}
+
 TEST_F(AddedSitesTest, AreOneWhereAnEdgePassesThroughATriangle) {
   const WeightedPoints points(3, {0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, -1, 1, 1.5, 1}, WeightKind::none,
                               {});
@@ -97,6 +106,28 @@ TEST_F(AddedSitesTest, CutTwoTrianglesThatCrossInSpace) {
                               WeightKind::none, {});
   const AddedSites result = expect_held<3>(points, {simplex({0, 1, 2}), simplex({3, 4, 5})}, 4.0);
   EXPECT_EQ(result.added, 2U);
+}
+
+// Edges that meet within a millionth of an edge of the site where one of them ends.
+TEST_F(AddedSitesTest, CutNextToASite) {
+  const WeightedPoints points =
+      WeightedPoints::fixed_point(3, 3, {333, 911, 577, 337, 413, 861, 333, 650, 556, 428, 908,
+                                         560, 970, 856, 363, 276, 473, 581, 902, 182, 946},
+                                  WeightKind::none, {});
+  const AddedSites result =
+      expect_held<3>(points, {simplex({0, 1, 2}), simplex({1, 3, 4}), simplex({3, 5, 6})}, 1.0);
+  EXPECT_EQ(result.added, 3U);
+}
+
+// Triangles of a lattice whose parts cross each other again and again, unless the longest edges are
+// cut first.
+TEST_F(AddedSitesTest, CutTheLongestEdgesFirst) {
+  const WeightedPoints points(
+      3, {4, 2, 4, 3, 3, 1, 0, 4, 0, 0, 1, 1, 1, 4, 0, 1, 4, 1, 0, 3, 3, 2, 3, 1}, WeightKind::none,
+      {});
+  const AddedSites result =
+      expect_held<3>(points, {simplex({0, 1, 2}), simplex({0, 3, 4}), simplex({5, 6, 7})}, 1.0);
+  EXPECT_LE(result.added, 12U);
 }
 
 TEST_F(AddedSitesTest, BreakARingInWhichNoTwoMeet) {
