@@ -234,7 +234,6 @@ void ManifoldRepair<D>::clear(std::uint32_t vertex) {
     is_cleared_[cell] = true;
     if (solid()[cell]) cells.push_back(cell);
   }
-  ++cleared_count_;
   turn(cells);
 }
 

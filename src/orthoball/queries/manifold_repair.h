@@ -39,8 +39,6 @@ class ManifoldRepair {
   [[nodiscard]] std::vector<std::uint32_t> changed() const;
   /// Of a cell, in the units of the balls.
   [[nodiscard]] double volume(std::uint32_t cell) const { return volumes_[cell]; }
-  /// How often the search had to clear the cells around a vertex.
-  [[nodiscard]] std::uint32_t cleared_count() const { return cleared_count_; }
   /// How many cells it looked at so far.
   [[nodiscard]] std::uint64_t work() const { return work_ + stars_.work(); }
 
@@ -87,7 +85,6 @@ class ManifoldRepair {
   std::vector<Waiting> waiting_;                   // a heap, the cheapest first
   std::vector<std::uint32_t> near_;  // vertices of cells that turned and of those next to them
   std::uint64_t version_ = 0, applied_count_ = 0, work_ = 0;
-  std::uint32_t cleared_count_ = 0;
 };
 
 extern template class ManifoldRepair<2>;  // defined in manifold_repair.cpp
