@@ -447,6 +447,14 @@ class Streams(InAFolder):
             self.assertEqual(self.done(*arguments, "--threads", "3").stdout, one)
             self.assertEqual(self.done(*arguments).stdout, one)
 
+    def test_results_do_not_depend_on_what_was_in_memory(self):
+        for command in COMMANDS:
+            arguments = [command, C60, *BESIDE.get(command, [])]
+            # glibc fills what is allocated with the inverse of this byte.
+            filled = [self.done(*arguments, env={**os.environ, "MALLOC_PERTURB_": byte}).stdout
+                      for byte in ["1", "85", "255"]]
+            self.assertEqual(filled, 3 * [self.done(*arguments).stdout])
+
     def on_a_terminal(self, *arguments, pause=0.0):
         """What is drawn on a terminal by a program whose input comes after a pause."""
         terminal, inside = pty.openpty()

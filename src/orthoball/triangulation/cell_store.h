@@ -57,6 +57,11 @@ class CellStore {
   static constexpr std::uint32_t kDead = std::uint32_t{1} << 31U;
   [[nodiscard]] static bool is_dead(const Cell& cell) { return (cell.neighbours[0] & kDead) != 0; }
   void kill(std::uint32_t cell) { cells_[cell].neighbours[0] |= kDead; }
+  /// Kills a cell that is not written yet.
+  void kill_unwritten(std::uint32_t cell) {
+    cells_[cell] = {};
+    kill(cell);
+  }
   void revive(std::uint32_t cell) { cells_[cell].neighbours[0] &= ~kDead; }
 
   /// The first of `count` new cells, which are not written yet. May move all cells.
@@ -110,7 +115,10 @@ class CellSupply {
   [[nodiscard]] std::size_t size() const { return dead_.size() + (end_ - next_); }
   /// At least `count` more new cells. May move all cells.
   void add(std::uint32_t count) {
-    for (; next_ < end_; ++next_) release(next_);
+    for (; next_ < end_; ++next_) {
+      cells_->kill_unwritten(next_);
+      dead_.push_back(next_);
+    }
     next_ = cells_->add(count);
     end_ = next_ + count;
   }
@@ -128,7 +136,7 @@ class CellSupply {
   }
   /// Kills what is left.
   void close() {
-    for (; next_ < end_; ++next_) cells_->kill(next_);
+    for (; next_ < end_; ++next_) cells_->kill_unwritten(next_);
   }
 
  private:
