@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -70,6 +71,27 @@ orthoball::EnforcedWeights enforced(const EnforceOptions& options,
                   joined(names)));
 }
 
+// Of each simplex that is held in parts for rows that are not added lie on it.
+void say_cut(const EnforceOptions& options, const orthoball::SimplexList& list,
+             const orthoball::AddedSites& sites) {
+  std::vector<std::set<std::uint32_t>> cuts(list.rows.size());
+  for (std::size_t part = 0; part < sites.simplices.size(); ++part) {
+    const auto& whole = list.rows[sites.part_of[part]];
+    for (const orthoball::SiteId row : sites.simplices[part]) {
+      const bool is_given = row.row() < sites.points.size() - sites.added;
+      if (is_given && !std::binary_search(whole.begin(), whole.end(), row)) {
+        cuts[sites.part_of[part]].insert(row.row());
+      }
+    }
+  }
+  for (std::size_t simplex = 0; simplex < cuts.size(); ++simplex) {
+    if (cuts[simplex].empty()) continue;
+    say(options.input, fmt::format("{} is held in parts, cut at {} {}", name_of(list, simplex),
+                                   orthoball::noun_of(cuts[simplex].size(), "row"),
+                                   fmt::join(cuts[simplex], ", ")));
+  }
+}
+
 // "12 (0.5 1) on line 1 (0 2), line 3 (1 4)" for each added row.
 void say_added(const EnforceOptions& options, const orthoball::SimplexList& list,
                const orthoball::AddedSites& sites) {
@@ -102,10 +124,17 @@ void say_report(const EnforceOptions& options, const orthoball::SimplexList& lis
                   number_text(wanted.alpha2), weights.changed.size(),
                   orthoball::counted(given, "weight"), number_text(weights.total_change)));
   say_added(options, list, wanted.sites);
+  say_cut(options, list, wanted.sites);
   if (weights.hidden.empty()) return;
   std::vector<std::uint32_t> rows;
   for (const orthoball::SiteId row : weights.hidden) rows.push_back(row.row());
-  say(options.input, fmt::format("warning: these rows are hidden now: {}", fmt::join(rows, ", ")));
+  constexpr std::size_t kMostNamed = 10;
+  const std::size_t named = std::min(rows.size(), kMostNamed);
+  std::string text =
+      fmt::format("warning: {} hidden now: {}", rows.size() == 1 ? "this row is" : "these rows are",
+                  fmt::join(std::span(rows).first(named), ", "));
+  if (named < rows.size()) text += fmt::format(" and {} more", rows.size() - named);
+  say(options.input, text);
 }
 
 double alpha2_of(const EnforceOptions& options, const Loaded& input) {

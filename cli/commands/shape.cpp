@@ -176,8 +176,14 @@ void warn(const ShapeOptions& options, const Loaded& input, const ChosenAlpha& a
         fmt::format("warning: {} has no place for roles; they are left out", format));
   }
   if (contents.regular + contents.singular_triangles + thin == 0) {
-    say(options.input, "warning: the shape has no boundary at this alpha; the file has none: " +
-                           scale_text(input));
+    const bool is_alpha = !options.edits.are_given();
+    say(options.input, is_alpha ? "warning: the shape has no boundary at this alpha; the file has "
+                                  "none: " +
+                                      scale_text(input)
+                                : "warning: what is left of the shape has no boundary; the file "
+                                  "has none");
+  } else if (contents.regular + contents.singular_triangles + contents.singular_edges == 0) {
+    say(options.input, "at this alpha the shape is points alone: " + scale_text(input));
   } else if (alpha.alpha2 > alpha_at(input, alpha.index).alpha2 && is_last(input, alpha.index)) {
     say(options.input,
         "at this alpha the shape is the convex hull of the points: " + scale_text(input));

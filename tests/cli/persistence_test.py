@@ -57,6 +57,13 @@ class Persistence(InAFolder):
             self.assertEqual(line.split(), ["2", row["dimension"], row["birth"],
                                             row["death"] or "inf"])
 
+    def test_gudhi_has_no_empty_column_for_numbers_beyond_doubles(self):
+        far = self.file("far.csv", "x,y\n0,0\n1e300,0\n0,1e300\n")
+        lines = self.done("persistence", far, "--all", "--format", "gudhi").stdout.splitlines()
+        self.assertEqual(sorted(lines), ["2 0 0 inf"] * 3 + ["2 1 inf inf"])
+        indices = self.done("persistence", far, "--all", "--format", "gudhi", "--indices").stdout
+        self.assertNotIn("2 1 inf", indices)
+
     def test_all_pairs_are_all_simplices(self):
         pairs = self.pairs(C60, "--all")
         simplices = self.done("filter", C60).stdout.count("\n") - 1
@@ -79,6 +86,7 @@ class Persistence(InAFolder):
             for k, count in enumerate([2, 4, 2]):
                 drawn = plot.split(f'class="dimension {k}"')[1].split('d="')[1].split('"')[0]
                 self.assertEqual(drawn.count(mark), count + (kind == "diagram"))  # the legend's
+            self.assertEqual(plot.count(">never<"), kind == "diagram")
 
     def test_mistakes_are_explained(self):
         plot = self.folder / "plot.svg"

@@ -85,6 +85,11 @@ class Shape(WithPoints):
         said = self.done("shape", self.pierced, "--alpha2", "0.25", "-o", self.out, "--regularized",
                          "--hole-threshold", "1", "--region-threshold", "5").stderr
         self.assertIn("filled 1 hole of area 1; left out 1 region of area 4; 1 region left\n", said)
+        said = self.done("shape", self.pierced, "--alpha2", "0.25", "-o", self.out,
+                         "--region-threshold", "99").stderr
+        self.assertIn("warning: what is left of the shape has no boundary; the file has none\n", said)
+        said = self.done("shape", self.pierced, "--alpha2", "1e-9", "-o", self.out).stderr
+        self.assertIn("at this alpha the shape is points alone: the first simplex enters at", said)
 
     def test_every_format_has_the_same_boundary(self):
         options = ["--alpha2", "0.25", "--region", "1", "--hole-threshold", "1", "--regularized"]

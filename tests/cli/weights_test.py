@@ -66,6 +66,9 @@ class FromDensity(InAFolder):
         said = self.refused(1, "summary", source, "--weights", "density:2")
         self.assertIn("few.csv: the 2 nearest neighbours are asked for, and there are 2 sites at "
                       "different positions; there must be more than neighbours", said)
+        one = self.file("one.csv", "x,y\n0,0\n")
+        said = self.refused(1, "summary", one, "--weights", "density:1")
+        self.assertIn("the nearest neighbour is asked for, and there is 1 site at", said)
         far = self.file("far.csv", "x,y\n0,0\n1e200,0\n")
         said = self.refused(1, "summary", far, "--weights", "density:1")
         self.assertIn("far.csv:2: row 0: the squared distances", said)
@@ -148,10 +151,18 @@ class Enforced(InAFolder):
         lines = self.done("filter", output, *option, "--alpha2", alpha2).stdout
         self.assertIn("0 1", lines)
 
+    def test_of_many_hidden_rows_ten_are_named(self):
+        inside = "".join(f"{50 + k},{50 + k}\n" for k in range(1, 13))
+        said, _ = self.enforce("x,y\n0,0\n300,0\n0,300\n" + inside, "0 1 2\n", "--alpha2", "1e6")
+        self.assertIn("warning: these rows are hidden now: 3, 4, 5, 6, 7, 8, 9, 10, 11, 12 and 2 more\n", said)
+
     def test_sites_are_added_where_simplices_meet(self):
         said, table = self.enforce(PLANE, "0 2\n3 1\n5 2\n", "--alpha2", "3", "--add-sites")
         self.assertIn("3 simplices held at alpha2 3: ", said)
         self.assertIn("orthoball: 0 sites added\n", said)  # row 4 stands where the diagonals cross
+        for line in ("line 1 (0 2)", "line 2 (1 3)"):
+            self.assertIn(f"orthoball: {line} is held in parts, cut at row 4\n", said)
+        self.assertNotIn("line 3 (2 5) is held", said)
         weighted = self.present(table, 3, "--weight-column", "weight")
         self.assertLessEqual({(0, 4), (2, 4), (1, 4), (3, 4), (2, 5)}, weighted)
 

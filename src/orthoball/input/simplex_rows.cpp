@@ -15,6 +15,7 @@ namespace orthoball {
 namespace {
 
 std::vector<std::string_view> fields_of(std::string_view line) {
+  line = line.substr(0, line.find('#'));
   constexpr std::string_view kBetween = " \t,;";
   std::vector<std::string_view> fields;
   for (std::size_t at = line.find_first_not_of(kBetween); at != std::string_view::npos;) {
@@ -41,7 +42,7 @@ SimplexList read_simplices(const Source& source, int dimension, std::size_t site
       throw ParseError(source.name, lines.number(), message);
     };
     const std::vector<std::string_view> fields = fields_of(line);
-    if (fields.empty() || fields[0].front() == '#') continue;
+    if (fields.empty()) continue;
     if (fields.size() < 2 || fields.size() > static_cast<std::size_t>(dimension) + 1) {
       refuse(fmt::format("{}; a simplex in {} has {}", counted(fields.size(), "corner"),
                          dimension == 2 ? "the plane" : "space",

@@ -168,6 +168,9 @@ void Plot<D>::write_diagram() {
                    pixel(kTop + kSide / 2)),
        "death");
   line(kLeft, bottom, kLeft + kSide, kTop, kAxis);
+  // The top, where those are that never die.
+  line(kLeft, kTop, kLeft + kSide, kTop, kAxis);
+  text(kLeft + kSide, kTop - 6, fmt::format("text-anchor=\"end\" fill=\"{}\"", kMuted), "never");
   // Circles, triangles and squares; those of the lower dimensions first, for they are many.
   double legend = bottom - 14.0 * D;
   for (std::size_t k = 0; k < D; ++k) {
@@ -183,10 +186,10 @@ void Plot<D>::write_diagram() {
     for (const Life& life : lives_[k]) {
       is_shown(life) ? mark(x(life.birth), y(life.death)) : static_cast<void>(++hidden);
     }
-    mark(kLeft + kSide - 200, legend - 3.5);
+    mark(kLeft + kSide - 230, legend - 3.5);
     sink_.text("\"/>\n");
     const std::string shown = counted(lives_[k].size() - hidden, name(k));
-    text(kLeft + kSide - 190, legend, fmt::format("fill=\"{}\"", kMuted),
+    text(kLeft + kSide - 220, legend, fmt::format("fill=\"{}\"", kMuted),
          hidden > 0 ? fmt::format("{}, {} too short to show", shown, hidden) : shown);
     legend += 14.0;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "orthoball/output/persistence_table.h"
 
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 
@@ -25,6 +26,12 @@ class Writer {
     const std::uint32_t index = filtration_.enters(simplex);
     values_ == PersistenceValues::index ? sink_.integer(index)
                                         : sink_.real(filtration_.alpha2(index));
+  }
+  /// Never empty: for a reader that tells columns by blanks.
+  void value_or_infinity(SimplexId simplex) {
+    const double alpha2 = filtration_.alpha2(filtration_.enters(simplex));
+    if (values_ == PersistenceValues::index || std::isfinite(alpha2)) return value(simplex);
+    sink_.text(alpha2 < 0.0 ? "-inf" : "inf");
   }
   void rows(SimplexId simplex, std::string_view between) {
     FewOf<SiteId, D> rows;
@@ -100,9 +107,9 @@ void write_persistence_gudhi(ByteSink& sink, const Filtration<D>& filtration,
     sink.text("2 ");
     sink.integer(static_cast<std::int64_t>(dimension));
     sink.text(" ");
-    writer.value(pair.birth);
+    writer.value_or_infinity(pair.birth);
     sink.text(" ");
-    pair.death.exists() ? writer.value(pair.death) : sink.text("inf");
+    pair.death.exists() ? writer.value_or_infinity(pair.death) : sink.text("inf");
     sink.text("\n");
   });
   sink.flush();

@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "orthoball/counted.h"
 #include "orthoball/error.h"
 #include "orthoball/points/position_tree.h"
 
@@ -45,9 +46,11 @@ std::vector<double> sums_of_squares(const WeightedPoints& points, std::size_t ne
   const PositionTree<D> tree(points, threads);
   if (neighbours >= tree.size()) {
     refuse(
-        fmt::format("the {} nearest neighbours are asked for, and there are {} sites at different "
-                    "positions; there must be more than neighbours",
-                    neighbours, tree.size()));
+        fmt::format("the {} asked for, and there {} {} at different positions; there must be more "
+                    "than neighbours",
+                    neighbours == 1 ? "nearest neighbour is"
+                                    : fmt::format("{} nearest neighbours are", neighbours),
+                    tree.size() == 1 ? "is" : "are", counted(tree.size(), "site")));
   }
   std::vector<double> sums(tree.size());  // [position]
   constexpr std::size_t kLeast = 1024;    // positions that are worth a thread

@@ -22,7 +22,7 @@ std::string refusal(const std::string& text, int dimension = 3) {
 }
 
 TEST(SimplexRows, TakeBlanksCommasAndSemicolons) {
-  const TemporaryFile file("s.txt", "# edges\n3 1\r\n\n 0,2 ;9\n1 2 3 4");
+  const TemporaryFile file("s.txt", "# edges\n3 1\r\n\n 0,2 ;9 # a triangle\n1 2 3 4#");
   const SimplexList list = read_simplices(file.path(), 3, 10);
   ASSERT_EQ(list.rows.size(), 3U);
   EXPECT_EQ(list.rows[0], (std::vector<SiteId>{SiteId(1), SiteId(3)}));
