@@ -20,6 +20,7 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "orthoball/error.h"
@@ -107,7 +108,8 @@ class Cutting {
   AddedSites result() {
     const std::size_t most = kMost * parts_.size();
     while (true) {
-      const std::vector<SimplexRows> conflict = conflicting();
+      std::vector<SimplexRows> conflict = meeting();
+      if (conflict.empty()) conflict = conflicting();
       if (conflict.empty()) break;
       if (outline(conflict)) continue;
       if (const auto corner = corner_on_another(conflict)) {
@@ -158,6 +160,50 @@ class Cutting {
   [[nodiscard]] double square(SiteId a, SiteId b) const {
     const Vector<D> along = difference(at(a), at(b));
     return inner(along, along);
+  }
+
+  // Two parts that meet in more than a face that both have, and so exclude each other, which takes
+  // no linear program to see: those with the longest edges, for these cut most. None where no two
+  // do.
+  [[nodiscard]] std::vector<SimplexRows> meeting() const {
+    struct Entry {
+      double length;  // squared, of the longest edge; less than 0, to be sorted
+      std::vector<Vector<D>> corners;
+      std::size_t part;
+      bool operator<(const Entry& other) const {
+        return std::tie(length, corners) < std::tie(other.length, other.corners);
+      }
+    };
+    std::vector<Entry> order;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      Entry entry{0.0, {}, i};
+      for (const SiteId a : parts_[i]) {
+        entry.corners.push_back(at(a));
+        for (const SiteId b : parts_[i]) entry.length = std::min(entry.length, -square(a, b));
+      }
+      order.push_back(std::move(entry));
+    }
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      for (std::size_t j = i + 1; j < order.size(); ++j) {
+        if (are_apart(order[i].corners, order[j].corners)) continue;
+        std::vector<SimplexRows> two{parts_[order[i].part], parts_[order[j].part]};
+        if (corner_on_another(two) || edge_through_another(two)) return two;
+      }
+    }
+    return {};
+  }
+
+  // Along some axis.
+  [[nodiscard]] bool are_apart(const std::vector<Vector<D>>& one,
+                               const std::vector<Vector<D>>& other) const {
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      const auto is_less = [&](const auto& a, const auto& b) { return a[axis] < b[axis]; };
+      const auto [low, high] = std::minmax_element(one.begin(), one.end(), is_less);
+      const auto [from, to] = std::minmax_element(other.begin(), other.end(), is_less);
+      if ((*high)[axis] + near() < (*from)[axis] || (*to)[axis] + near() < (*low)[axis]) return true;
+    }
+    return false;
   }
 
   // Some parts that exclude each other, in an order that does not depend on that of rows.
