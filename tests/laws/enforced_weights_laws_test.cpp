@@ -77,6 +77,38 @@ Wish random_wish(std::uint64_t seed) {
   return wish;
 }
 
+// A wish among sites of which some lie in one or two clusters, 10^3 to 10^6 times smaller than all:
+// large and small simplices, which share corners.
+template <int D>
+Wish clustered_wish(std::uint64_t seed) {
+  Random random(seed);
+  const double ratio = std::pow(10.0, -random.uniform(3.0, 6.0));
+  std::vector<double> coordinates, weights;
+  const auto put = [&](int count, double size) {
+    std::array<double, std::size_t{D}> centre{};
+    for (double& x : centre) x = size < 1.0 ? random.uniform(-5.0, 5.0) : 0.0;
+    for (int i = 0; i < count; ++i) {
+      for (const double x : centre) coordinates.push_back(x + size * random.uniform(-5.0, 5.0));
+      weights.push_back(size * size * random.uniform(-80.0, 80.0));
+    }
+  };
+  put(random.integer(D + 1, 10), 1.0);
+  const int clusters = random.integer(1, 2);
+  for (int i = 0; i < clusters; ++i) put(random.integer(3, 8), ratio);
+  const Filtration<D> other(
+      regular_triangulation<D>(WeightedPoints(D, coordinates, WeightKind::weight, weights)));
+  Wish wish{WeightedPoints(D, std::move(coordinates), WeightKind::none, {}), {}, 0.0};
+  wish.alpha2 = std::pow(10.0, random.uniform(-4.0, 1.0));
+  while (wish.simplices.size() < 8) {
+    const SimplexId simplex(
+        static_cast<std::uint32_t>(random.integer(0, static_cast<int>(other.size()) - 1)));
+    if (other.dimension(simplex) == 0) continue;
+    const auto rows = other.rows(simplex);
+    wish.simplices.emplace_back(rows.begin(), rows.end());
+  }
+  return wish;
+}
+
 template <int D>
 std::vector<bool> present(const Wish& wish, const WeightedPoints& points) {
   const Filtration<D> filtration(regular_triangulation<D>(points));
@@ -130,6 +162,26 @@ TEST(EnforcedWeights, HoldWhatSomeWeightsHold) {
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     expect_granted<2>(seed);
     expect_granted<3>(seed);
+  }
+}
+
+// Weights may be as large as it takes, so that alpha2 is no limit.
+template <int D>
+void expect_all_sizes_held(std::uint64_t seed) {
+  SCOPED_TRACE(testing::Message() << "dimension " << D << ", seed " << seed);
+  const Wish wish = clustered_wish<D>(seed);
+  const EnforcedWeights result = enforced_weights(wish.points, wish.simplices, wish.alpha2);
+  ASSERT_EQ(result.conflict, std::vector<std::size_t>());
+  const auto are_there = present<D>(wish, result.points);
+  EXPECT_EQ(std::count(are_there.begin(), are_there.end(), false), 0);
+}
+
+TEST(EnforcedWeights, HoldSimplicesOfVeryDifferentSizes) {
+  if (!has_linear_solver()) GTEST_SKIP() << "built without CLP";
+  const std::uint64_t seeds = generators::is_long_run() ? 60 : 20;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    expect_all_sizes_held<2>(seed);
+    expect_all_sizes_held<3>(seed);
   }
 }
 

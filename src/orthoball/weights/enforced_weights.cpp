@@ -4,7 +4,8 @@
 // of all that ever were, which tells weights. What is never missing has no part in the program, so
 // it can only be a program with fewer conditions: a solution that misses nothing is the best.
 //
-// A witness has a margin of a millionth of its simplex, so that weights can be rounded to decimals.
+// A witness has a margin of a millionth of its simplex, less for sites near to a corner of it, so
+// that weights can be rounded to decimals.
 // Where the simplices leave each other hardly any room it takes huge weights to make that much of
 // it: then the margin is smaller. Where weights are so fine that rounding loses a simplex all the
 // same, it grows.

@@ -8,10 +8,16 @@
 #include <Clp_C_Interface.h>
 #include <dlfcn.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace orthoball {
 namespace {
 
 constexpr double kTolerance = 1e-9;
+constexpr double kKept = 1e-8;                // so far off is kept
+constexpr double kRounded = 1e-15;            // or this of the largest term
+constexpr int kUnscaled = 0, kScaled = 3;     // modes of Clp_scaling
 constexpr int kOptimal = 0, kInfeasible = 1;  // what Clp_status says
 
 // CLP, loaded when it is first needed: it brings OpenBLAS along, which takes memory and starts
@@ -28,6 +34,7 @@ struct Functions {
       find<decltype(&Clp_setPrimalTolerance)>("Clp_setPrimalTolerance");
   decltype(&Clp_setDualTolerance) set_dual_tolerance =
       find<decltype(&Clp_setDualTolerance)>("Clp_setDualTolerance");
+  decltype(&Clp_scaling) scaling = find<decltype(&Clp_scaling)>("Clp_scaling");
   decltype(&Clp_addColumns) add_columns = find<decltype(&Clp_addColumns)>("Clp_addColumns");
   decltype(&Clp_addRows) add_rows = find<decltype(&Clp_addRows)>("Clp_addRows");
   decltype(&Clp_dual) dual = find<decltype(&Clp_dual)>("Clp_dual");
@@ -65,13 +72,13 @@ struct LinearProgram::Model {
 
   // Hands over what was added since the last time.
   void hand_over() {
-    const std::size_t variables_more = costs.size() - variables_handed;
-    const std::vector<CoinBigIndex> no_terms(variables_more + 1);
-    const std::vector<double> no_limit(variables_more, kInfinity);
+    const std::size_t columns_more = costs.size() - columns_handed;
+    const std::vector<CoinBigIndex> no_terms(columns_more + 1);
+    const std::vector<double> no_limit(columns_more, kInfinity);
     const int no_row = 0;
     const double no_number = 0.0;
-    solver().add_columns(clp, static_cast<int>(variables_more), &least_values[variables_handed],
-                         no_limit.data(), &costs[variables_handed], no_terms.data(), &no_row,
+    solver().add_columns(clp, static_cast<int>(columns_more), &least_values[columns_handed],
+                         no_limit.data(), &costs[columns_handed], no_terms.data(), &no_row,
                          &no_number);
     const std::size_t first = conditions_handed;
     std::vector<CoinBigIndex> begins(starts.begin() + static_cast<std::ptrdiff_t>(first),
@@ -79,8 +86,8 @@ struct LinearProgram::Model {
     for (CoinBigIndex& begin : begins) begin -= starts[first];
     const auto term = static_cast<std::size_t>(starts[first]);
     solver().add_rows(clp, static_cast<int>(least_sums.size() - first), &least_sums[first],
-                      &most_sums[first], begins.data(), &variables[term], &coefficients[term]);
-    variables_handed = costs.size();
+                      &most_sums[first], begins.data(), &columns[term], &coefficients[term]);
+    columns_handed = costs.size();
     conditions_handed = least_sums.size();
     // More than any program needs that does not go round in circles.
     solver().set_maximum_iterations(
@@ -93,18 +100,39 @@ struct LinearProgram::Model {
     hand_over();
   }
 
+  // Whether the last solution keeps the conditions as they were given: CLP looks at them scaled.
+  [[nodiscard]] bool is_kept() const {
+    const double* const values = solver().primal_column_solution(clp);
+    for (std::size_t condition = 0; condition < least_sums.size(); ++condition) {
+      double sum = 0.0, off_by = kKept;
+      for (auto term = static_cast<std::size_t>(starts[condition]);
+           term < static_cast<std::size_t>(starts[condition + 1]); ++term) {
+        const double part = coefficients[term] * values[columns[term]];
+        sum += part;
+        off_by = std::max(off_by, kRounded * std::abs(part));
+      }
+      const double off = std::max(least_sums[condition] - sum, sum - most_sums[condition]);
+      if (off > off_by) return false;
+    }
+    return true;
+  }
+
   Clp_Simplex* clp = nullptr;
-  std::vector<double> least_values, costs;    // [variable]
+  // [variable]: its column; a variable without a least value is that less the next one, for CLP
+  // ends the program over columns that are free.
+  std::vector<std::size_t> column_of;
+  std::vector<bool> is_difference;            // [variable]
+  std::vector<double> least_values, costs;    // [column]
   std::vector<double> least_sums, most_sums;  // [condition]
   std::vector<CoinBigIndex> starts{0};        // [condition]: its first term, and the end
-  std::vector<int> variables;                 // [term]
+  std::vector<int> columns;                   // [term]
   std::vector<double> coefficients;           // [term]
-  std::size_t variables_handed = 0, conditions_handed = 0;
+  std::size_t columns_handed = 0, conditions_handed = 0;
 
  private:
   void begin() {
     clp = solver().new_model();
-    variables_handed = conditions_handed = 0;
+    columns_handed = conditions_handed = 0;
     solver().set_log_level(clp, 0);
     solver().set_primal_tolerance(clp, kTolerance);
     solver().set_dual_tolerance(clp, kTolerance);
@@ -124,17 +152,28 @@ LinearProgram::LinearProgram() {
 }
 
 std::size_t LinearProgram::add_variable(double least, double cost) {
-  model_->least_values.push_back(least);
+  const bool is_difference = least == -kInfinity;
+  model_->column_of.push_back(model_->costs.size());
+  model_->is_difference.push_back(is_difference);
+  model_->least_values.push_back(is_difference ? 0.0 : least);
   model_->costs.push_back(cost);
-  return model_->costs.size() - 1;
+  if (is_difference) {
+    model_->least_values.push_back(0.0);
+    model_->costs.push_back(-cost);
+  }
+  return model_->column_of.size() - 1;
 }
 
 std::size_t LinearProgram::add_condition(double least, double most, std::span<const Term> terms) {
   for (const Term& term : terms) {
-    model_->variables.push_back(static_cast<int>(term.variable));
+    const std::size_t column = model_->column_of[term.variable];
+    model_->columns.push_back(static_cast<int>(column));
     model_->coefficients.push_back(term.coefficient);
+    if (!model_->is_difference[term.variable]) continue;
+    model_->columns.push_back(static_cast<int>(column + 1));
+    model_->coefficients.push_back(-term.coefficient);
   }
-  model_->starts.push_back(static_cast<CoinBigIndex>(model_->variables.size()));
+  model_->starts.push_back(static_cast<CoinBigIndex>(model_->columns.size()));
   model_->least_sums.push_back(least);
   model_->most_sums.push_back(most);
   return model_->least_sums.size() - 1;
@@ -147,6 +186,12 @@ Outcome LinearProgram::solve() {
   };
   model_->hand_over();
   const int status = status_of(solver().dual);
+  // What is best as CLP scales it can break the conditions as they are.
+  if (status == kOptimal && !model_->is_kept()) {
+    solver().scaling(model_->clp, kUnscaled);
+    (void)status_of(solver().primal);
+    solver().scaling(model_->clp, kScaled);
+  }
   if (status == kOptimal) return Outcome::solved;
   // Once more by the other method and from the beginning, for what rounding may have done.
   model_->begin_anew();
@@ -159,7 +204,9 @@ Outcome LinearProgram::solve() {
 }
 
 double LinearProgram::value(std::size_t variable) const {
-  return solver().primal_column_solution(model_->clp)[variable];
+  const double* const value =
+      solver().primal_column_solution(model_->clp) + model_->column_of[variable];
+  return model_->is_difference[variable] ? value[0] - value[1] : value[0];
 }
 
 double LinearProgram::price(std::size_t condition) const {

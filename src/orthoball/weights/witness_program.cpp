@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
 // A simplex is in the alpha complex if and only if there is a point x at which its corners v have
-// one power p <= alpha2 and no other site u has less. With q = |x|^2 - p in the place of p
+// one power p <= alpha2 and no other site u has less. The power of a site less that of another,
 //
-//     |v|^2 - w_v - 2 x.v + q  = 0        for its corners,
-//     |u|^2 - w_u - 2 x.u + q >= margin   for the others,
-//     |x|^2 - q <= alpha2 - margin,
+//     |u|^2 - w_u - |v|^2 + w_v - 2 x.(u - v),
 //
-// all linear in x, q and the weights w but the last, which is convex: it is replaced by its
-// tangents at points where a solution violated it, as many as it takes. Of the conditions on
-// others, too, only those enter that a solution violated; all sites are looked at for that, so a
-// solution that violates none is one of all conditions. Where these few contradict each other, all
-// do. Sites without a condition keep their weights.
+// is linear in x and the weights w, and is to be 0 from corner to corner, and the margin or more
+// from a corner to any other site. Each such condition is written for the step from the nearest
+// corner and divided by the square of its length, or of the diameter where that is less: so sites
+// close to a corner of a large simplex, which small ones share, have conditions of their own size.
+//
+// That |x - v|^2 - w_v <= alpha2 is convex: it is replaced by its tangents at points where a
+// solution violated it, as many as it takes. Of the conditions on others, too, only those enter
+// that a solution violated; all sites are looked at for that, so a solution that violates none is
+// one of all conditions. Where these few contradict each other, all do. Sites without a condition
+// keep their weights.
 //
 // Without an alpha2 all weights may be as large as they must: then the margins have any size, or
 // none. So there the least is looked for that all margins lack; the prices of the conditions tell
@@ -19,12 +22,13 @@
 //
 // Each change of a weight is the difference of two variables that are not negative, and the cost is
 // their sum: the total change. Its least value is found at a corner of the polytope of solutions,
-// where few weights change. Lengths are in units of the simplex's diameter, from one of its
-// corners.
+// where few weights change. Lengths are in units of the simplex's diameter, from its first corner.
 #include "orthoball/weights/witness_program.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <utility>
 
 #include "orthoball/vectors.h"
@@ -46,12 +50,29 @@ WitnessProgram<D>::WitnessProgram(const DistinctSites<D>& sites, const WitnessOp
 }
 
 template <int D>
-auto WitnessProgram<D>::in_frame(const Witness& witness, std::uint32_t site) const -> Vector {
+auto WitnessProgram<D>::in_frame(const Witness& witness, std::uint32_t from, std::uint32_t to) const
+    -> Vector {
   Vector y;
   for (std::size_t axis = 0; axis < D; ++axis) {
-    y[axis] = (sites_.x[site][axis] - witness.origin[axis]) / witness.diameter;
+    y[axis] = (sites_.x[to][axis] - sites_.x[from][axis]) / witness.diameter;
   }
   return y;
+}
+
+// From the nearest of some corners.
+template <int D>
+auto WitnessProgram<D>::step_to(const Witness& witness, std::uint32_t site,
+                                std::span<const std::uint32_t> corners) const -> Step {
+  Step best{};
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t corner : corners) {
+    const Vector along = in_frame(witness, corner, site);
+    const double square = inner(along, along);
+    if (square >= least) continue;
+    least = square;
+    best = {corner, site, along, square > 0.0 ? std::min(square, 1.0) : 1.0};
+  }
+  return best;
 }
 
 // Values in the program are so much larger: a smaller margin is seen as well by the solver, whose
@@ -62,13 +83,16 @@ double WitnessProgram<D>::magnification() const {
 }
 
 template <int D>
-auto WitnessProgram<D>::change_of(std::uint32_t site) -> Change {
+auto WitnessProgram<D>::change_of(std::uint32_t site, double square) -> Change {
   const auto found = changes_.find(site);
-  if (found != changes_.end()) return found->second;
+  if (found != changes_.end()) {
+    found->second.least_square = std::min(found->second.least_square, square);
+    return found->second;
+  }
   const bool is_free = options_.is_free != nullptr ? (*options_.is_free)[site] : !options_.alpha2;
   const double cost = is_free ? 0.0 : 1.0;
   const std::size_t plus = program_.add_variable(0.0, cost);
-  const Change change{plus, program_.add_variable(0.0, cost)};
+  const Change change{plus, program_.add_variable(0.0, cost), square};
   changes_.emplace(site, change);
   return change;
 }
@@ -77,29 +101,53 @@ template <int D>
 double WitnessProgram<D>::change(std::uint32_t site) const {
   const auto found = changes_.find(site);
   if (found == changes_.end()) return 0.0;
-  const double change = program_.value(found->second.plus) - program_.value(found->second.minus);
   const double unit = options_.unit * options_.unit / magnification();
-  return std::abs(change) < kNoChange ? 0.0 : change * unit;
+  const double change =
+      (program_.value(found->second.plus) - program_.value(found->second.minus)) * unit;
+  const double least = kNoChange * std::min(unit, found->second.least_square);
+  return std::abs(change) < least ? 0.0 : change;
+}
+
+// The change of a site's weight, in the sites' unit squared, times a factor; `square`: of the step.
+template <int D>
+void WitnessProgram<D>::add_change(std::vector<LinearProgram::Term>& terms, std::uint32_t site,
+                                   double factor, double square) {
+  if (options_.is_fixed != nullptr && (*options_.is_fixed)[site]) return;
+  const Change change = change_of(site, square);
+  const double unit = options_.unit * options_.unit;
+  terms.push_back({change.plus, factor * unit});
+  terms.push_back({change.minus, -factor * unit});
 }
 
 template <int D>
 void WitnessProgram<D>::add(const SiteTuple& simplex) {
-  Witness witness{simplex, sites_.x[simplex[0]], 1.0, 0, {}};
+  Witness witness{simplex, 1.0, 0, {}};
   const double square = sites_.square_diameter(simplex);
   if (square > 0.0) witness.diameter = std::sqrt(square);
   witness.first_variable = program_.add_variable(-LinearProgram::kInfinity, 0.0);
-  for (int i = 0; i < D; ++i) (void)program_.add_variable(-LinearProgram::kInfinity, 0.0);
+  for (int i = 1; i < D; ++i) (void)program_.add_variable(-LinearProgram::kInfinity, 0.0);
   const std::size_t number = witnesses_.size();
-  witnesses_.push_back(std::move(witness));
+  witnesses_.push_back(witness);
+  // From each corner, beginning with the first, a step to the nearest of the rest.
+  SiteTuple reached{simplex[0]}, rest(simplex.begin() + 1, simplex.end());
+  while (!rest.empty()) {
+    Step next = step_to(witness, rest[0], reached);
+    for (const std::uint32_t corner : rest) {
+      const Step other = step_to(witness, corner, reached);
+      if (other.square < next.square) next = other;
+    }
+    add_condition(number, next, true);
+    reached.push_back(next.to);
+    std::erase(rest, next.to);
+  }
+  if (!options_.alpha2) return;
   Vector middle{};
   for (const std::uint32_t corner : simplex) {
-    add_condition(number, corner, true);
-    const Vector y = in_frame(witnesses_[number], corner);
+    const Vector y = in_frame(witness, simplex[0], corner);
     for (std::size_t axis = 0; axis < D; ++axis) {
       middle[axis] += y[axis] / static_cast<double>(simplex.size());
     }
   }
-  if (!options_.alpha2) return;
   add_cut(number, middle);
   for (std::size_t axis = 0; axis < D; ++axis) {
     for (const double step : {-1.0, 1.0}) {
@@ -110,61 +158,57 @@ void WitnessProgram<D>::add(const SiteTuple& simplex) {
   }
 }
 
-// w_u unit^2 / diameter^2 and so on: in the frame of the witness.
+// The condition on the site less that on the corner, in units of the step's square.
 template <int D>
-void WitnessProgram<D>::add_condition(std::size_t number, std::uint32_t site, bool is_corner) {
-  const bool is_fixed = options_.is_fixed != nullptr && (*options_.is_fixed)[site];
+void WitnessProgram<D>::add_condition(std::size_t number, const Step& step, bool is_corner) {
   Witness& witness = witnesses_[number];
-  const Vector y = in_frame(witness, site);
-  const double square = witness.diameter * witness.diameter;
-  const double unit = options_.unit * options_.unit / square;
+  const double square = witness.diameter * witness.diameter * step.square;
   std::vector<LinearProgram::Term> terms;
-  if (!is_fixed) {
-    const Change change = change_of(site);
-    terms = {{change.plus, -unit}, {change.minus, unit}};
-  }
+  add_change(terms, step.to, -1.0 / square, square);
+  add_change(terms, step.from, 1.0 / square, square);
   for (std::size_t axis = 0; axis < D; ++axis) {
-    if (y[axis] != 0.0) terms.push_back({witness.first_variable + axis, -2.0 * y[axis]});
+    if (step.along[axis] == 0.0) continue;
+    terms.push_back({witness.first_variable + axis, -2.0 * step.along[axis] / step.square});
   }
-  terms.push_back({witness.first_variable + D, 1.0});
-  const double least = (sites_.weight[site] / square - inner(y, y)) * magnification();
+  const Vector from = in_frame(witness, witness.corners[0], step.from);
+  const double least =
+      ((sites_.weight[step.to] - sites_.weight[step.from]) / square -
+       (inner(step.along, step.along) + 2.0 * inner(from, step.along)) / step.square) *
+      magnification();
   if (is_corner) {
     program_.add_condition(least, least, terms);
   } else {
     if (lack_) terms.push_back({*lack_, 1.0});
     program_.add_condition(least + options_.margin * magnification(), LinearProgram::kInfinity,
                            terms);
-    witness.others.push_back(site);
+    witness.others.push_back(step.to);
   }
-  conditions_.emplace_back(WitnessCondition{number, site, 1.0 / square});
+  conditions_.emplace_back(std::pair(number, step));
 }
 
 // In units in which the larger of its numbers is about 1, for the solver's tolerance.
 template <int D>
 void WitnessProgram<D>::add_cut(std::size_t number, const Vector& at) {
   const Witness& witness = witnesses_[number];
-  const double size = std::max(cut_size(witness), inner(at, at));
+  const double size = cut_size(witness, at);
   std::vector<LinearProgram::Term> terms;
   for (std::size_t axis = 0; axis < D; ++axis) {
-    terms.push_back({witness.first_variable + axis, 2.0 * at[axis] / size});
+    if (at[axis] != 0.0) terms.push_back({witness.first_variable + axis, 2.0 * at[axis] / size});
   }
-  terms.push_back({witness.first_variable + D, -1.0 / size});
-  const double most = most_power(witness) + inner(at, at);
+  const std::uint32_t origin = witness.corners[0];
+  const double square = witness.diameter * witness.diameter;
+  add_change(terms, origin, -1.0 / (square * size), square);
+  const double most = *options_.alpha2 / square - options_.margin * size + inner(at, at) +
+                      sites_.weight[origin] / square;
   program_.add_condition(-LinearProgram::kInfinity, most / size * magnification(), terms);
   conditions_.emplace_back();
 }
 
-// alpha2 in the frame of the witness, or 1 where that is more.
+// The largest of the numbers of a cut: of alpha2 in the frame, 1, and the square of its place.
 template <int D>
-double WitnessProgram<D>::cut_size(const Witness& witness) const {
-  return std::max(1.0, std::abs(*options_.alpha2) / (witness.diameter * witness.diameter));
-}
-
-// Of the corners at the witness: alpha2 less the margin.
-template <int D>
-double WitnessProgram<D>::most_power(const Witness& witness) const {
-  return *options_.alpha2 / (witness.diameter * witness.diameter) -
-         options_.margin * cut_size(witness);
+double WitnessProgram<D>::cut_size(const Witness& witness, const Vector& at) const {
+  const double square = witness.diameter * witness.diameter;
+  return std::max({1.0, std::abs(*options_.alpha2) / square, inner(at, at)});
 }
 
 template <int D>
@@ -180,20 +224,25 @@ template <int D>
 bool WitnessProgram<D>::add_violated(std::size_t number, const std::vector<double>& changes) {
   const Witness& witness = witnesses_[number];
   const Vector x = place(witness);
-  const double q = program_.value(witness.first_variable + D) / magnification();
   const double square = witness.diameter * witness.diameter;
+  const std::uint32_t origin = witness.corners[0];
+  const double power = inner(x, x) - (sites_.weight[origin] + changes[origin]) / square;
   bool is_violated = false;
   if (options_.alpha2 &&
-      inner(x, x) - q > most_power(witness) + options_.margin / 2 * cut_size(witness)) {
+      power > *options_.alpha2 / square - options_.margin / 2 * cut_size(witness, x)) {
     add_cut(number, x);
     is_violated = true;
   }
   std::vector<std::pair<double, std::uint32_t>> violated;  // by how much
   for (std::uint32_t site = 0; site < sites_.x.size(); ++site) {
     if (options_.counted != nullptr && !(*options_.counted)[site]) continue;
-    const Vector y = in_frame(witness, site);
+    const Step step = step_to(witness, site, witness.corners);
+    const Vector beyond = difference(in_frame(witness, origin, step.from), x);
+    const double weight =
+        sites_.weight[site] - sites_.weight[step.from] + (changes[site] - changes[step.from]);
     const double above =
-        inner(y, y) - (sites_.weight[site] + changes[site]) / square - 2.0 * inner(x, y) + q;
+        (inner(step.along, step.along) + 2.0 * inner(beyond, step.along) - weight / square) /
+        step.square;
     if (above >= options_.margin / 2) continue;
     const auto is_in = [&](const auto& list) {
       return std::find(list.begin(), list.end(), site) != list.end();
@@ -202,7 +251,9 @@ bool WitnessProgram<D>::add_violated(std::size_t number, const std::vector<doubl
   }
   std::sort(violated.begin(), violated.end());
   if (violated.size() > kMostOthers) violated.resize(kMostOthers);
-  for (const auto& [above, site] : violated) add_condition(number, site, false);
+  for (const auto& [above, site] : violated) {
+    add_condition(number, step_to(witnesses_[number], site, witnesses_[number].corners), false);
+  }
   return is_violated || !violated.empty();
 }
 
@@ -233,12 +284,18 @@ std::vector<double> WitnessProgram<D>::changes() const {
 
 template <int D>
 std::vector<WitnessCondition> WitnessProgram<D>::contradiction() const {
-  std::vector<WitnessCondition> named;
+  std::map<std::pair<std::size_t, std::uint32_t>, double> factors;  // of simplex and site
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
     if (!conditions_[i] || program_.price(i) == 0.0) continue;
-    named.push_back(*conditions_[i]);
-    named.back().factor *= program_.price(i);
+    const auto& [number, step] = *conditions_[i];
+    const Witness& witness = witnesses_[number];
+    for (const std::uint32_t corner : witness.corners) factors[{number, corner}] += 0.0;
+    const double factor = program_.price(i) / (witness.diameter * witness.diameter * step.square);
+    factors[{number, step.to}] += factor;
+    factors[{number, step.from}] -= factor;
   }
+  std::vector<WitnessCondition> named;
+  for (const auto& [of, factor] : factors) named.push_back({of.first, of.second, factor});
   return named;
 }
 

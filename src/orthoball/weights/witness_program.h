@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "orthoball/weights/distinct_sites.h"
@@ -28,8 +30,10 @@ struct WitnessCondition {
 /// What a WitnessProgram looks for.
 struct WitnessOptions {
   double unit = 1.0;     ///< a length about that of the simplices
-  double margin = 1e-6;  ///< by which others have more power at a witness, times the diameter of
-                         ///< the simplex squared, and by which alpha2 is kept, times that or alpha2
+  double margin = 1e-6;  ///< by which others have more power at a witness, times the squared
+                         ///< distance from the nearest corner or, where that is less, the squared
+                         ///< diameter; and by which alpha2 is kept, times the largest of alpha2,
+                         ///< that and the squared distance of the witness
   std::optional<double> alpha2{};  ///< of which the complex is to hold the simplices; in the unit
                                    ///< of the sites squared. None: any
   const std::vector<bool>* counted =
@@ -66,25 +70,34 @@ class WitnessProgram {
   // A simplex with its frame: the origin at its first corner, its diameter as the unit.
   struct Witness {
     SiteTuple corners;
-    Vector origin;
     double diameter;
-    std::size_t first_variable;         // the coordinates, then |x|^2 - power
+    std::size_t first_variable;         // the coordinates
     std::vector<std::uint32_t> others;  // that have a condition
   };
   // A variable weight: change = plus - minus.
   struct Change {
     std::size_t plus, minus;
+    double least_square;  // of the steps to it from corners, in the sites' unit
+  };
+  // From a corner to a site, in the frame.
+  struct Step {
+    std::uint32_t from, to;
+    Vector along;
+    double square;  // |along|^2, but 1 where that is more or it is 0
   };
 
-  [[nodiscard]] Vector in_frame(const Witness& witness, std::uint32_t site) const;
-  [[nodiscard]] Change change_of(std::uint32_t site);
+  [[nodiscard]] Vector in_frame(const Witness& witness, std::uint32_t from, std::uint32_t to) const;
+  [[nodiscard]] Step step_to(const Witness& witness, std::uint32_t site,
+                             std::span<const std::uint32_t> corners) const;
+  [[nodiscard]] Change change_of(std::uint32_t site, double square);
   [[nodiscard]] double change(std::uint32_t site) const;
   [[nodiscard]] Vector place(const Witness& witness) const;
   [[nodiscard]] double magnification() const;
-  void add_condition(std::size_t number, std::uint32_t site, bool is_corner);
+  void add_change(std::vector<LinearProgram::Term>& terms, std::uint32_t site, double factor,
+                  double square);
+  void add_condition(std::size_t number, const Step& step, bool is_corner);
   void add_cut(std::size_t number, const Vector& at);
-  [[nodiscard]] double cut_size(const Witness& witness) const;
-  [[nodiscard]] double most_power(const Witness& witness) const;
+  [[nodiscard]] double cut_size(const Witness& witness, const Vector& at) const;
   [[nodiscard]] bool add_violated(std::size_t number, const std::vector<double>& changes);
 
   const DistinctSites<D>& sites_;
@@ -92,8 +105,8 @@ class WitnessProgram {
   LinearProgram program_;
   std::vector<Witness> witnesses_;
   std::unordered_map<std::uint32_t, Change> changes_;  // looked up only, never walked
-  // By their numbers in the program; of factor 1 there, none for a tangent.
-  std::vector<std::optional<WitnessCondition>> conditions_;
+  // By their numbers in the program: the simplex and the step, none for a tangent.
+  std::vector<std::optional<std::pair<std::size_t, Step>>> conditions_;
   std::optional<std::size_t> lack_;  // variable: what all margins lack, where there is no alpha2
 };
 
