@@ -109,7 +109,7 @@ class Cutting {
     const std::size_t most = kMost * parts_.size();
     while (true) {
       std::vector<SimplexRows> conflict = meeting();
-      if (conflict.empty()) conflict = conflicting();
+      if (conflict.empty() && !are_held()) conflict = conflicting();
       if (conflict.empty()) break;
       if (outline(conflict)) continue;
       if (const auto corner = corner_on_another(conflict)) {
@@ -206,6 +206,27 @@ class Cutting {
     return false;
   }
 
+  // Weights for all parts at an alpha2 that leaves them room.
+  [[nodiscard]] EnforcedWeights weights() const {
+    const double unit = std::pow(10.0, points_.decimals().value_or(0));
+    const DistinctSites<D> sites(points_);
+    std::vector<std::uint32_t> all(sites.x.size());
+    std::iota(all.begin(), all.end(), 0U);
+    std::vector<SimplexRows> parts = parts_;
+    for (SimplexRows& part : parts) std::sort(part.begin(), part.end());
+    return enforced_weights(points_, parts, sites.square_diameter(all) / unit / unit, Threads(1),
+                            points_.size() - given_);
+  }
+
+  // Finding weights is much faster than showing why there are none.
+  [[nodiscard]] bool are_held() const {
+    try {
+      return weights().conflict.empty();
+    } catch (const LimitError&) {  // they leave each other hardly any room
+      return false;
+    }
+  }
+
   // Some parts that exclude each other, in an order that does not depend on that of rows.
   [[nodiscard]] std::vector<SimplexRows> conflicting() const {
     const DistinctSites<D> sites(points_);
@@ -255,15 +276,7 @@ class Cutting {
   // The triangles of one regular triangulation that fill outlined ones, in the place of outlines.
   void fill_outlines() {
     if (outlined_.empty()) return;
-    const double unit = std::pow(10.0, points_.decimals().value_or(0));
-    const DistinctSites<D> sites(points_);
-    std::vector<std::uint32_t> all(sites.x.size());
-    std::iota(all.begin(), all.end(), 0U);
-    std::vector<SimplexRows> parts = parts_;
-    for (SimplexRows& part : parts) std::sort(part.begin(), part.end());
-    const EnforcedWeights weights =
-        enforced_weights(points_, parts, sites.square_diameter(all) / unit / unit, Threads(1),
-                         points_.size() - given_);
+    const EnforcedWeights weights = this->weights();
     if (!weights.conflict.empty()) {
       throw LimitError(
           "triangles that share area are cut along their edges, but weights that hold "
