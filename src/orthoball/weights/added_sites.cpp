@@ -20,7 +20,6 @@
 #include <numeric>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "orthoball/error.h"
@@ -29,6 +28,7 @@
 #include "orthoball/weights/conflicting_simplices.h"
 #include "orthoball/weights/enforced_weights.h"
 #include "orthoball/weights/reweighted_points.h"
+#include "orthoball/weights/simplex_crossings.h"
 
 namespace orthoball {
 namespace {
@@ -37,45 +37,6 @@ constexpr double kFine = 1e-8;      // of the shortest edge: where sites are put
 constexpr double kOn = 10 * kFine;  // of the shortest edge: so near is on
 constexpr std::size_t kMost = 12;   // sites a simplex
 constexpr std::size_t kOutline = std::numeric_limits<std::size_t>::max();  // no given simplex
-
-template <int D>
-using Vector = std::array<double, std::size_t{D}>;
-
-// The factors with which the directions, up to three, sum up to `to`; empty where that is farther
-// away than `near`, or they are not independent.
-template <int D>
-std::optional<std::vector<double>> factors(const std::vector<Vector<D>>& directions,
-                                           const Vector<D>& to, double near) {
-  const std::size_t count = directions.size();
-  std::vector<std::vector<double>> rows(count, std::vector<double>(count + 1));
-  double size = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < count; ++j) rows[i][j] = inner(directions[i], directions[j]);
-    rows[i][count] = inner(directions[i], to);
-    size = std::max(size, rows[i][i]);
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    std::size_t pivot = i;
-    for (std::size_t j = i; j < count; ++j) {
-      if (std::abs(rows[j][i]) > std::abs(rows[pivot][i])) pivot = j;
-    }
-    std::swap(rows[i], rows[pivot]);
-    if (std::abs(rows[i][i]) <= 1e-12 * size) return std::nullopt;
-    for (std::size_t j = 0; j < count; ++j) {
-      if (j == i) continue;
-      const double factor = rows[j][i] / rows[i][i];
-      for (std::size_t k = i; k <= count; ++k) rows[j][k] -= factor * rows[i][k];
-    }
-  }
-  std::vector<double> result;
-  Vector<D> rest = to;
-  for (std::size_t i = 0; i < count; ++i) {
-    result.push_back(rows[i][count] / rows[i][i]);
-    for (std::size_t axis = 0; axis < D; ++axis) rest[axis] -= result[i] * directions[i][axis];
-  }
-  if (inner(rest, rest) > near * near) return std::nullopt;
-  return result;
-}
 
 // Points, simplices of them, and how they are cut.
 template <int D>
@@ -93,7 +54,7 @@ class Cutting {
     for (const SimplexRows& part : parts_) {
       for (const SiteId a : part) {
         for (const SiteId b : part) {
-          if (a != b) least_ = std::min(least_, square(a, b));
+          if (a != b) least_ = std::min(least_, places().square(a, b));
         }
       }
     }
@@ -108,11 +69,11 @@ class Cutting {
   AddedSites result() {
     const std::size_t most = kMost * parts_.size();
     while (true) {
-      std::vector<SimplexRows> conflict = meeting();
+      std::vector<SimplexRows> conflict = places().meeting(parts_);
       if (conflict.empty() && !are_held()) conflict = conflicting();
       if (conflict.empty()) break;
       if (outline(conflict)) continue;
-      if (const auto corner = corner_on_another(conflict)) {
+      if (const auto corner = places().corner_on_another(conflict)) {
         cut_at(*corner);
         continue;
       }
@@ -121,7 +82,7 @@ class Cutting {
                          " added sites do not yet let weights hold the simplices; triangles in one "
                          "plane of space that overlap, or tetrahedra, may take any number");
       }
-      const auto crossing = edge_through_another(conflict);
+      const auto crossing = places().edge_through_another(conflict);
       add(crossing ? *crossing : middle_of_an_edge(conflict));
     }
     fill_outlines();
@@ -130,16 +91,15 @@ class Cutting {
   }
 
  private:
-  [[nodiscard]] Vector<D> at(SiteId row) const {
-    Vector<D> x;
-    for (std::size_t axis = 0; axis < D; ++axis) {
-      x[axis] = points_.coordinates()[std::size_t{D} * row.row() + axis];
-    }
-    return x;
+  // What is so near to a simplex is on it: more than what rounding moves sites.
+  [[nodiscard]] SimplexCrossings<D> places() const {
+    return SimplexCrossings<D>(points_, kOn * std::sqrt(least_));
   }
+
   // By position, so that nothing depends on the order of rows.
   [[nodiscard]] SimplexRows sorted(SimplexRows part) const {
-    std::sort(part.begin(), part.end(), [&](SiteId a, SiteId b) { return at(a) < at(b); });
+    std::sort(part.begin(), part.end(),
+              [&](SiteId a, SiteId b) { return places().at(a) < places().at(b); });
     return part;
   }
   // [row]: the first row with the largest weight at its position. Of others at one position all but
@@ -157,55 +117,6 @@ class Cutting {
     }
     return rows;
   }
-  [[nodiscard]] double square(SiteId a, SiteId b) const {
-    const Vector<D> along = difference(at(a), at(b));
-    return inner(along, along);
-  }
-
-  // Two parts that meet in more than a face that both have, and so exclude each other, which takes
-  // no linear program to see: those with the longest edges, for these cut most. None where no two
-  // do.
-  [[nodiscard]] std::vector<SimplexRows> meeting() const {
-    struct Entry {
-      double length;  // squared, of the longest edge; less than 0, to be sorted
-      std::vector<Vector<D>> corners;
-      std::size_t part;
-      bool operator<(const Entry& other) const {
-        return std::tie(length, corners) < std::tie(other.length, other.corners);
-      }
-    };
-    std::vector<Entry> order;
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-      Entry entry{0.0, {}, i};
-      for (const SiteId a : parts_[i]) {
-        entry.corners.push_back(at(a));
-        for (const SiteId b : parts_[i]) entry.length = std::min(entry.length, -square(a, b));
-      }
-      order.push_back(std::move(entry));
-    }
-    std::sort(order.begin(), order.end());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      for (std::size_t j = i + 1; j < order.size(); ++j) {
-        if (are_apart(order[i].corners, order[j].corners)) continue;
-        std::vector<SimplexRows> two{parts_[order[i].part], parts_[order[j].part]};
-        if (corner_on_another(two) || edge_through_another(two)) return two;
-      }
-    }
-    return {};
-  }
-
-  // Along some axis.
-  [[nodiscard]] bool are_apart(const std::vector<Vector<D>>& one,
-                               const std::vector<Vector<D>>& other) const {
-    for (std::size_t axis = 0; axis < D; ++axis) {
-      const auto is_less = [&](const auto& a, const auto& b) { return a[axis] < b[axis]; };
-      const auto [low, high] = std::minmax_element(one.begin(), one.end(), is_less);
-      const auto [from, to] = std::minmax_element(other.begin(), other.end(), is_less);
-      if ((*high)[axis] + near() < (*from)[axis] || (*to)[axis] + near() < (*low)[axis]) return true;
-    }
-    return false;
-  }
-
   // Weights for all parts at an alpha2 that leaves them room.
   [[nodiscard]] EnforcedWeights weights() const {
     const double unit = std::pow(10.0, points_.decimals().value_or(0));
@@ -294,134 +205,22 @@ class Cutting {
       const auto rows = filtration.rows(simplex);
       const SimplexRows cell(rows.begin(), rows.end());
       for (const auto& [triangle, of] : outlined_) {
-        if (face_around(triangle, middle(cell)).size() < 3) continue;
+        if (places().face_around(triangle, places().middle(cell)).size() < 3) continue;
         parts_.push_back(cell);
         part_of_.push_back(of);
       }
     }
   }
 
-  [[nodiscard]] Vector<D> middle(const SimplexRows& simplex) const {
-    Vector<D> x{};
-    for (const SiteId row : simplex) {
-      for (std::size_t axis = 0; axis < D; ++axis) {
-        x[axis] += at(row)[axis] / static_cast<double>(simplex.size());
-      }
-    }
-    return x;
-  }
-
-  // The corners of the face of a simplex inside which a point lies; empty where it is not on it, or
-  // at a corner.
-  [[nodiscard]] SimplexRows face_around(const SimplexRows& simplex, const Vector<D>& x) const {
-    std::vector<Vector<D>> directions;
-    for (const SiteId row : simplex) {
-      if (row != simplex[0]) directions.push_back(difference(at(row), at(simplex[0])));
-    }
-    const auto found = factors<D>(directions, difference(x, at(simplex[0])), near());
-    if (!found) return {};
-    std::vector<double> shares{1.0};
-    for (const double factor : *found) {
-      shares.push_back(factor);
-      shares[0] -= factor;
-    }
-    SimplexRows face;
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-      const double from_opposite = shares[i] * height(simplex, i);
-      if (from_opposite < -near()) return {};
-      if (from_opposite > near()) face.push_back(simplex[i]);
-    }
-    return face.size() < 2 ? SimplexRows() : face;
-  }
-
-  // The distance of a corner from the span of the others.
-  [[nodiscard]] double height(const SimplexRows& simplex, std::size_t corner) const {
-    std::vector<Vector<D>> directions;
-    std::vector<SiteId> others = simplex;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(corner));
-    for (const SiteId row : others) {
-      if (row != others[0]) directions.push_back(difference(at(row), at(others[0])));
-    }
-    Vector<D> rest = difference(at(simplex[corner]), at(others[0]));
-    const auto found = factors<D>(directions, rest, std::numeric_limits<double>::infinity());
-    if (!found) return 0.0;
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-      for (std::size_t axis = 0; axis < D; ++axis) rest[axis] -= (*found)[i] * directions[i][axis];
-    }
-    return std::sqrt(inner(rest, rest));
-  }
-
-  // What is so near to a simplex is on it: more than what rounding moves sites.
-  [[nodiscard]] double near() const { return kOn * std::sqrt(least_); }
-
-  [[nodiscard]] std::optional<SiteId> corner_on_another(
-      const std::vector<SimplexRows>& conflict) const {
-    for (const SimplexRows& one : conflict) {
-      for (const SiteId corner : one) {
-        for (const SimplexRows& other : conflict) {
-          if (!face_around(other, at(corner)).empty()) return corner;
-        }
-      }
-    }
-    return std::nullopt;
-  }
-
-  // Where an edge of one meets an edge or triangle of another, inside of both: the longest edge,
-  // for those of given simplices are longer than those that cut them.
-  [[nodiscard]] std::optional<Vector<D>> edge_through_another(
-      const std::vector<SimplexRows>& conflict) const {
-    std::optional<Vector<D>> best;
-    double longest = 0.0;
-    for (const SimplexRows& one : conflict) {
-      for (std::size_t i = 0; i < one.size(); ++i) {
-        for (std::size_t j = i + 1; j < one.size(); ++j) {
-          const double length = square(one[i], one[j]);
-          for (const SimplexRows& other : conflict) {
-            if (length <= longest) break;
-            if (const auto x = crossing(at(one[i]), at(one[j]), other)) {
-              best = x;
-              longest = length;
-            }
-          }
-        }
-      }
-    }
-    return best;
-  }
-
-  // Where the edge from a to b passes through a face of at most D corners.
-  [[nodiscard]] std::optional<Vector<D>> crossing(const Vector<D>& a, const Vector<D>& b,
-                                                  const SimplexRows& simplex) const {
-    for (unsigned chosen = 1; chosen < 1U << simplex.size(); ++chosen) {
-      SimplexRows face;
-      for (std::size_t i = 0; i < simplex.size(); ++i) {
-        if ((chosen >> i & 1U) != 0) face.push_back(simplex[i]);
-      }
-      if (face.size() < 2 || face.size() > D) continue;
-      std::vector<Vector<D>> directions{difference(a, b)};
-      for (const SiteId row : face) {
-        if (row != face[0]) directions.push_back(difference(at(row), at(face[0])));
-      }
-      const auto found = factors<D>(directions, difference(a, at(face[0])), near());
-      if (!found) continue;
-      // So far from the ends that a site near to the point is no end.
-      const double end = 2.0 * near() / std::sqrt(inner(directions[0], directions[0]));
-      if ((*found)[0] < end || (*found)[0] > 1.0 - end) continue;
-      Vector<D> x = a;
-      for (std::size_t axis = 0; axis < D; ++axis) x[axis] += (*found)[0] * (b[axis] - a[axis]);
-      if (face_around(face, x).size() == face.size()) return x;
-    }
-    return std::nullopt;
-  }
-
   // The middle of the longest edge that, cut there, frees these simplices from each other; of the
   // longest of all where none does.
-  [[nodiscard]] Vector<D> middle_of_an_edge(const std::vector<SimplexRows>& conflict) const {
-    std::vector<std::pair<double, Vector<D>>> middles;  // with the length squared
+  [[nodiscard]] Place<D> middle_of_an_edge(const std::vector<SimplexRows>& conflict) const {
+    std::vector<std::pair<double, Place<D>>> middles;  // with the length squared
     for (const SimplexRows& simplex : conflict) {
       for (std::size_t i = 0; i < simplex.size(); ++i) {
         for (std::size_t j = i + 1; j < simplex.size(); ++j) {
-          middles.emplace_back(square(simplex[i], simplex[j]), middle({simplex[i], simplex[j]}));
+          middles.emplace_back(places().square(simplex[i], simplex[j]),
+                               places().middle({simplex[i], simplex[j]}));
         }
       }
     }
@@ -437,10 +236,10 @@ class Cutting {
   }
 
   // Adds a site and cuts what it lies on; takes one that is there already instead.
-  void add(const Vector<D>& x) {
+  void add(const Place<D>& x) {
     for (std::uint32_t row = 0; row < points_.size(); ++row) {
-      const Vector<D> away = difference(at(SiteId(row)), x);
-      if (inner(away, away) <= near() * near() / 4) return cut_at(SiteId(row));
+      const Place<D> away = difference(places().at(SiteId(row)), x);
+      if (inner(away, away) <= places().near() * places().near() / 4) return cut_at(SiteId(row));
     }
     std::array<double, 3> position{};
     std::copy(x.begin(), x.end(), position.begin());
@@ -453,7 +252,7 @@ class Cutting {
     std::vector<SimplexRows> parts;
     std::vector<std::size_t> part_of;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-      const SimplexRows face = face_around(parts_[i], at(row));
+      const SimplexRows face = places().face_around(parts_[i], places().at(row));
       if (face.empty()) {
         parts.push_back(parts_[i]);
         part_of.push_back(part_of_[i]);
