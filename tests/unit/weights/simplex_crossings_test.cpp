@@ -47,7 +47,7 @@ TEST(SimplexCrossings, OfACornerOnAnEdgeAreTold) {
 
 TEST(SimplexCrossings, OfTheLongestEdgesComeFirst) {
   const WeightedPoints points =
-      points_of(2, {0, 0, 9, 0, 4, -1, 4, 1, 20, 0, 22, 0, 21, -1, 21, 1});
+      points_of(2, {0, 0, 9, 0, 4, -1, 4, 1, -22, 0, -20, 0, -21, -1, -21, 1});
   const SimplexCrossings<2> places(points, 1e-7);
   const std::vector<SimplexRows> all{rows({4, 5}), rows({6, 7}), rows({2, 3}), rows({0, 1})};
   EXPECT_EQ(places.meeting(all), (std::vector<SimplexRows>{rows({0, 1}), rows({2, 3})}));
