@@ -25,7 +25,9 @@ class SimplexCrossings {
   /// @param near  what is so near to a simplex is on it.
   SimplexCrossings(const WeightedPoints& points, double near) : points_(points), near_(near) {}
 
+  /// The distance that counts as none.
   [[nodiscard]] double near() const { return near_; }
+  /// The position of a row.
   [[nodiscard]] Place<D> at(SiteId row) const;
   /// The squared distance of two rows.
   [[nodiscard]] double square(SiteId a, SiteId b) const;
