@@ -165,6 +165,16 @@ TEST(EnforcedWeights, HoldWhatSomeWeightsHold) {
   }
 }
 
+template <int D>
+void expect_parts_held(const WeightedPoints& points, const AddedSites& sites) {
+  const Wish wish{points, sites.simplices, 1.0};
+  const EnforcedWeights weights =
+      enforced_weights(sites.points, wish.simplices, wish.alpha2, Threads(1), sites.added);
+  EXPECT_TRUE(weights.conflict.empty());
+  const auto are_there = present<D>(wish, weights.points);
+  EXPECT_EQ(std::count(are_there.begin(), are_there.end(), false), 0);
+}
+
 // Weights may be as large as it takes, so that alpha2 is no limit.
 template <int D>
 void expect_all_sizes_held(std::uint64_t seed) {
@@ -219,12 +229,7 @@ void expect_fewest_named_and_freed(std::uint64_t seed) {
   }
   const AddedSites sites = with_added_sites(points, simplices);
   EXPECT_TRUE(!conflict.empty() || sites.added == 0);
-  const EnforcedWeights weights =
-      enforced_weights(sites.points, sites.simplices, alpha2, Threads(1), sites.added);
-  EXPECT_TRUE(weights.conflict.empty());
-  const Wish wish{points, sites.simplices, alpha2};
-  const auto are_there = present<D>(wish, weights.points);
-  EXPECT_EQ(std::count(are_there.begin(), are_there.end(), false), 0);
+  expect_parts_held<D>(points, sites);
 }
 
 TEST(EnforcedWeights, NameTheFewestThatExcludeEachOtherAndSitesFreeThem) {
@@ -280,13 +285,7 @@ void expect_triangles_freed(std::uint64_t seed) {
   for (std::size_t i = 0; i < simplices.size(); ++i) {
     EXPECT_NEAR(sum[i], size(points, simplices[i]), 1e-6) << "simplex " << i;
   }
-  const double alpha2 = 1.0;
-  const EnforcedWeights weights =
-      enforced_weights(sites.points, sites.simplices, alpha2, Threads(1), sites.added);
-  EXPECT_TRUE(weights.conflict.empty());
-  const Wish wish{points, sites.simplices, alpha2};
-  const auto are_there = present<D>(wish, weights.points);
-  EXPECT_EQ(std::count(are_there.begin(), are_there.end(), false), 0);
+  expect_parts_held<D>(points, sites);
 }
 
 TEST(EnforcedWeights, HoldPartsOfTrianglesThatMeet) {

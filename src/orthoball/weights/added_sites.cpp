@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// One step: of simplices that exclude each other (conflicting_simplices) take a point that two of
-// them share and that is a corner of at most one of them: a corner of one on another, otherwise the
-// point where an edge of one passes through a face of another. Every simplex on which it lies, of
+// One step: of two simplices that are seen to meet (SimplexCrossings), or of some that exclude each
+// other otherwise (conflicting_simplices), take a point that two of them share and that is a corner
+// of at most one of them: a corner of one on another, otherwise the point where an edge of one
+// passes through a face of another. Every simplex on which it lies, of
 // all that are wanted, is cut there: if it lies inside the face F, each corner of F in turn gives
 // its place to it. In general position, simplices whose edges and faces meet in common faces only
 // can still exclude each other in a ring; then one is cut in the middle of an edge, the longest
@@ -68,9 +69,14 @@ class Cutting {
 
   AddedSites result() {
     const std::size_t most = kMost * parts_.size();
+    std::optional<EnforcedWeights> held;
     while (true) {
       std::vector<SimplexRows> conflict = places().meeting(parts_);
-      if (conflict.empty() && !are_held()) conflict = conflicting();
+      // Finding weights is much faster than showing why there are none.
+      if (conflict.empty()) {
+        held = weights();
+        if (!held) conflict = conflicting();
+      }
       if (conflict.empty()) break;
       if (outline(conflict)) continue;
       if (const auto corner = places().corner_on_another(conflict)) {
@@ -85,7 +91,7 @@ class Cutting {
       const auto crossing = places().edge_through_another(conflict);
       add(crossing ? *crossing : middle_of_an_edge(conflict));
     }
-    fill_outlines();
+    if (!outlined_.empty()) fill_outlines(held);
     for (SimplexRows& part : parts_) std::sort(part.begin(), part.end());
     return {points_, points_.size() - given_, parts_, part_of_};
   }
@@ -98,8 +104,9 @@ class Cutting {
 
   // By position, so that nothing depends on the order of rows.
   [[nodiscard]] SimplexRows sorted(SimplexRows part) const {
+    const SimplexCrossings<D> places = this->places();
     std::sort(part.begin(), part.end(),
-              [&](SiteId a, SiteId b) { return places().at(a) < places().at(b); });
+              [&](SiteId a, SiteId b) { return places.at(a) < places.at(b); });
     return part;
   }
   // [row]: the first row with the largest weight at its position. Of others at one position all but
@@ -117,25 +124,23 @@ class Cutting {
     }
     return rows;
   }
-  // Weights for all parts at an alpha2 that leaves them room.
-  [[nodiscard]] EnforcedWeights weights() const {
+
+  // With which all parts are held, at an alpha2 that leaves them room; none where there are none.
+  [[nodiscard]] std::optional<EnforcedWeights> weights() const {
     const double unit = std::pow(10.0, points_.decimals().value_or(0));
     const DistinctSites<D> sites(points_);
     std::vector<std::uint32_t> all(sites.x.size());
     std::iota(all.begin(), all.end(), 0U);
     std::vector<SimplexRows> parts = parts_;
     for (SimplexRows& part : parts) std::sort(part.begin(), part.end());
-    return enforced_weights(points_, parts, sites.square_diameter(all) / unit / unit, Threads(1),
-                            points_.size() - given_);
-  }
-
-  // Finding weights is much faster than showing why there are none.
-  [[nodiscard]] bool are_held() const {
     try {
-      return weights().conflict.empty();
-    } catch (const LimitError&) {  // they leave each other hardly any room
-      return false;
+      EnforcedWeights found =
+          enforced_weights(points_, parts, sites.square_diameter(all) / unit / unit, Threads(1),
+                           points_.size() - given_);
+      if (found.conflict.empty()) return found;
+    } catch (const LimitError&) {  // the parts leave each other hardly any room
     }
+    return std::nullopt;
   }
 
   // Some parts that exclude each other, in an order that does not depend on that of rows.
@@ -185,10 +190,8 @@ class Cutting {
   }
 
   // The triangles of one regular triangulation that fill outlined ones, in the place of outlines.
-  void fill_outlines() {
-    if (outlined_.empty()) return;
-    const EnforcedWeights weights = this->weights();
-    if (!weights.conflict.empty()) {
+  void fill_outlines(const std::optional<EnforcedWeights>& held) {
+    if (!held) {
       throw LimitError(
           "triangles that share area are cut along their edges, but weights that hold "
           "the pieces need more digits than doubles have");
@@ -198,7 +201,7 @@ class Cutting {
       parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(i));
       part_of_.erase(part_of_.begin() + static_cast<std::ptrdiff_t>(i));
     }
-    const Filtration<D> filtration(regular_triangulation<D>(weights.points));
+    const Filtration<D> filtration(regular_triangulation<D>(held->points));
     for (std::uint32_t number = 0; number < filtration.size(); ++number) {
       const SimplexId simplex(number);
       if (filtration.dimension(simplex) != 2) continue;

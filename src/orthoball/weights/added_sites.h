@@ -22,7 +22,8 @@ struct AddedSites {
 
 /// Adds sites until weights can hold the simplices, each cut into parts by the sites on it: for
 /// enforced_weights(), which then finds the balls that protect them. A simplex that excludes none
-/// stays whole.
+/// stays whole, unless it is nearer than 10^-7 of the shortest edge to a corner of another or to a
+/// point where two meet: what is so near is taken to be on it.
 ///
 /// Few: as long as some simplices exclude each other, one site is added where an edge of one meets
 /// another, none where a corner of one lies on another or a site is there (they are cut there), and

@@ -5,10 +5,9 @@
 // it can only be a program with fewer conditions: a solution that misses nothing is the best.
 //
 // A witness has a margin of a millionth of its simplex, less for sites near to a corner of it, so
-// that weights can be rounded to decimals.
-// Where the simplices leave each other hardly any room it takes huge weights to make that much of
-// it: then the margin is smaller. Where weights are so fine that rounding loses a simplex all the
-// same, it grows.
+// that weights can be rounded to decimals. Where the simplices leave each other hardly any room it
+// takes huge weights to make that much of it: then the margin is smaller. Where weights are so fine
+// that rounding loses a simplex all the same, it grows.
 #include "orthoball/weights/enforced_weights.h"
 
 #include <algorithm>
@@ -148,7 +147,10 @@ class Enforcement {
   };
 
   [[nodiscard]] WitnessOptions options(double margin) const {
-    return {.unit = sizes_.middle, .margin = margin, .alpha2 = alpha2_ * input_unit_ * input_unit_};
+    return {.unit = sizes_.middle,
+            .margin = margin,
+            .alpha2 = alpha2_ * input_unit_ * input_unit_,
+            .is_free = &is_free_};
   }
 
   // [site]: with which the active simplices are held; empty where they cannot be.

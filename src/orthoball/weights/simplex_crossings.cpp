@@ -117,10 +117,10 @@ double SimplexCrossings<D>::height(const SimplexRows& simplex, std::size_t corne
 
 template <int D>
 std::optional<SiteId> SimplexCrossings<D>::corner_on_another(
-    const std::vector<SimplexRows>& conflict) const {
-  for (const SimplexRows& one : conflict) {
+    const std::vector<SimplexRows>& simplices) const {
+  for (const SimplexRows& one : simplices) {
     for (const SiteId corner : one) {
-      for (const SimplexRows& other : conflict) {
+      for (const SimplexRows& other : simplices) {
         if (!face_around(other, at(corner)).empty()) return corner;
       }
     }
@@ -130,14 +130,14 @@ std::optional<SiteId> SimplexCrossings<D>::corner_on_another(
 
 template <int D>
 std::optional<Place<D>> SimplexCrossings<D>::edge_through_another(
-    const std::vector<SimplexRows>& conflict) const {
+    const std::vector<SimplexRows>& simplices) const {
   std::optional<Place<D>> best;
   double longest = 0.0;
-  for (const SimplexRows& one : conflict) {
+  for (const SimplexRows& one : simplices) {
     for (std::size_t i = 0; i < one.size(); ++i) {
       for (std::size_t j = i + 1; j < one.size(); ++j) {
         const double length = square(one[i], one[j]);
-        for (const SimplexRows& other : conflict) {
+        for (const SimplexRows& other : simplices) {
           if (length <= longest) break;
           if (const auto x = crossing(at(one[i]), at(one[j]), other)) {
             best = x;
@@ -176,21 +176,22 @@ std::optional<Place<D>> SimplexCrossings<D>::crossing(const Place<D>& a, const P
 }
 
 template <int D>
-std::vector<SimplexRows> SimplexCrossings<D>::meeting(const std::vector<SimplexRows>& parts) const {
+std::vector<SimplexRows> SimplexCrossings<D>::meeting(
+    const std::vector<SimplexRows>& simplices) const {
   struct Entry {
     double length;  // squared, of the longest edge; less than 0, to be sorted
     std::vector<Place<D>> corners;
-    std::size_t part;
+    std::size_t number;
     bool operator<(const Entry& other) const {
       return std::tie(length, corners) < std::tie(other.length, other.corners);
     }
   };
   std::vector<Entry> order;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
+  for (std::size_t i = 0; i < simplices.size(); ++i) {
     Entry entry{0.0, {}, i};
-    for (const SiteId a : parts[i]) {
+    for (const SiteId a : simplices[i]) {
       entry.corners.push_back(at(a));
-      for (const SiteId b : parts[i]) entry.length = std::min(entry.length, -square(a, b));
+      for (const SiteId b : simplices[i]) entry.length = std::min(entry.length, -square(a, b));
     }
     order.push_back(std::move(entry));
   }
@@ -198,7 +199,7 @@ std::vector<SimplexRows> SimplexCrossings<D>::meeting(const std::vector<SimplexR
   for (std::size_t i = 0; i < order.size(); ++i) {
     for (std::size_t j = i + 1; j < order.size(); ++j) {
       if (are_apart(order[i].corners, order[j].corners)) continue;
-      std::vector<SimplexRows> two{parts[order[i].part], parts[order[j].part]};
+      std::vector<SimplexRows> two{simplices[order[i].number], simplices[order[j].number]};
       if (corner_on_another(two) || edge_through_another(two)) return two;
     }
   }

@@ -23,8 +23,8 @@ using SiteTuple = std::vector<std::uint32_t>;
 struct WitnessCondition {
   std::size_t simplex;  ///< its number, in order of WitnessProgram::add()
   std::uint32_t site;
-  double
-      factor;  ///< with which it enters a sum of conditions, on powers in the sites' unit squared
+  /// With which it enters a sum of conditions, on powers in the sites' unit squared.
+  double factor;
 };
 
 /// What a WitnessProgram looks for.
@@ -36,12 +36,12 @@ struct WitnessOptions {
                          ///< that and the squared distance of the witness
   std::optional<double> alpha2{};  ///< of which the complex is to hold the simplices; in the unit
                                    ///< of the sites squared. None: any
-  const std::vector<bool>* counted =
-      nullptr;  ///< [site]: the others are taken as hidden; null: all
-  const std::vector<bool>* is_fixed =
-      nullptr;                                 ///< [site]: its weight may not change; null: all may
-  const std::vector<bool>* is_free = nullptr;  ///< [site]: its weight may change at no cost; null:
-                                               ///< none if there is an alpha2, else all
+  /// [site]: the others are taken as hidden; null: all.
+  const std::vector<bool>* counted = nullptr;
+  /// [site]: its weight may not change; null: all may.
+  const std::vector<bool>* is_fixed = nullptr;
+  /// [site]: its weight may change at no cost; null: none if there is an alpha2, else all.
+  const std::vector<bool>* is_free = nullptr;
 };
 
 /// Weights with which simplices are in the alpha complex, changed least in total, as a linear

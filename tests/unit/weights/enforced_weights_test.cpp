@@ -47,6 +47,19 @@ TEST(SimplexPresence, TellsFacesOfLargerOnesDuplicatesAndHiddenRows) {
   EXPECT_EQ(present<2>(points, 1.0, simplices), (std::vector<bool>{true, true, true, true, false}));
 }
 
+TEST_F(EnforcedWeightsTest, LetAnAddedSiteHaveAnyWeightAtNoCost) {
+  // Half of a diagonal, from a corner to the added middle, passes between two sites: either the
+  // middle becomes heavy, or they give.
+  const WeightedPoints points = plane({0, 0, 400, 0, 400, 300, 0, 300, 20, 19, 20, 11, 200, 150});
+  const std::vector<SimplexRows> halves{simplex({0, 6}), simplex({2, 6})};
+  EXPECT_NE(present<2>(points, 1e5, halves), (std::vector<bool>{true, true}));
+  const EnforcedWeights free = enforced_weights(points, halves, 1e5, Threads(1), 1);
+  EXPECT_EQ(present<2>(free.points, 1e5, halves), (std::vector<bool>{true, true}));
+  EXPECT_EQ(free.total_change, 0.0);
+  EXPECT_TRUE(free.changed.empty());
+  EXPECT_GT(enforced_weights(points, halves, 1e5, Threads(1), 0).total_change, 0.0);
+}
+
 TEST_F(EnforcedWeightsTest, ChangeTheLeastInTotal) {
   // The edge from (-1, 0) to (1, 0) beside (0, 0.1), at alpha2 = 1. To lower the third by d and
   // raise one end by s moves the witness; the least total is less than 0.99, that of the middle.
