@@ -8,25 +8,13 @@
 #include "orthoball/queries/voids.h"
 #include "python/arrays.h"
 #include "python/module.h"
+#include "python/simplex_rows.h"
 
 using orthoball::AlphaShapes;
 using orthoball::Filtration;
-using orthoball::SimplexId;
 using orthoball::SiteId;
 
 namespace {
-
-// The rows of simplices of one dimension, `width` each.
-template <int D>
-std::vector<SiteId> rows_of(const Filtration<D>& filtration,
-                            const std::vector<SimplexId>& simplices) {
-  std::vector<SiteId> rows;
-  for (const SimplexId simplex : simplices) {
-    const auto of_one = filtration.rows(simplex);
-    rows.insert(rows.end(), of_one.begin(), of_one.end());
-  }
-  return rows;
-}
 
 // What voids and pockets have in common, in Python's words.
 template <int D, class Region>
@@ -42,8 +30,7 @@ nb::dict region(const Filtration<D>& filtration, const Region& found) {
   result["area"] = found.area;
   result["rows"] = owned<std::uint32_t>(std::move(rows));
   result["areas"] = owned<double>(std::move(areas));
-  result["cells"] = owned<std::uint32_t>(rows_of(filtration, found.cells),
-                                         {found.cells.size(), std::size_t{D} + 1});
+  result["cells"] = rows_of(filtration, found.cells, std::size_t{D} + 1);
   return result;
 }
 
@@ -68,8 +55,7 @@ nb::dict as_dict(const Filtration<D>& filtration, const orthoball::Pocket& found
     nb::dict one;
     one["area"] = mouth.area;
     one["rim"] = owned<std::uint32_t>(std::vector<SiteId>(mouth.rim));
-    one["facets"] = owned<std::uint32_t>(rows_of(filtration, mouth.facets),
-                                         {mouth.facets.size(), std::size_t{D}});
+    one["facets"] = rows_of(filtration, mouth.facets, std::size_t{D});
     mouths.append(one);
   }
   result["mouths"] = mouths;

@@ -21,6 +21,7 @@
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/plot_axis.h"
+#include "python/simplex_rows.h"
 #include "python/written.h"
 
 using orthoball::AlphaShapes;
@@ -210,19 +211,6 @@ Found found_representatives(Pairs& self, std::optional<std::size_t> dimension,
                 return representatives(pairs, {dimension, number, index}, threads_of(threads));
               },
               self.of)};
-}
-
-// The rows of simplices of one dimension.
-template <int D>
-Array<std::uint32_t> rows_of(const Filtration<D>& filtration,
-                             const std::vector<SimplexId>& simplices, std::size_t width) {
-  std::vector<SiteId> rows;
-  for (const SimplexId simplex : simplices) {
-    const auto of_one = filtration.rows(simplex);
-    rows.insert(rows.end(), of_one.begin(), of_one.end());
-  }
-  if (!simplices.empty()) width = rows.size() / simplices.size();
-  return owned<std::uint32_t>(std::move(rows), {simplices.size(), width});
 }
 
 template <int D>

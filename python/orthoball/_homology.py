@@ -108,12 +108,13 @@ class _Classes(Written):
         tunnel is born and dies with it, and short as far as a search goes. After Busaryev, Cabello,
         Chen, Dey and Wang, Annotating simplices with a homology basis, 2012.
         """
-        at = None
-        if alpha2 is not None or index is not None:
-            at, _ = self._shapes._chosen(alpha2, None, None, index)
-        return self._found(None, at)
+        return self._found(None, alpha2, index)
 
-    def _found(self, number: int | None, index: int | None) -> Representatives:
+    def _found(
+        self, number: int | None, alpha2: float | str | None, index: int | None
+    ) -> Representatives:
+        if alpha2 is not None or index is not None:
+            index, _ = self._shapes._chosen(alpha2, None, None, index)
         threads = self._shapes._threads
         return Representatives(self._pairs.representatives(self._only, number, index, threads))
 
@@ -155,10 +156,7 @@ class Diagram(_Classes):
             raise fault(
                 f"there is no class {number}; classes are numbered from 0 to {len(self) - 1}"
             )
-        at = None
-        if alpha2 is not None or index is not None:
-            at, _ = self._shapes._chosen(alpha2, None, None, index)
-        return self._found(number, at)[0]
+        return self._found(number, alpha2, index)[0]
 
     def __len__(self) -> int:
         return len(self.alpha2)
