@@ -138,12 +138,6 @@ int compared(const WeightedPoints& points, std::size_t a, std::size_t b) {
   return order(points.weights_low()[a], points.weights_low()[b]);
 }
 
-std::uint64_t scrambled(std::uint64_t number) {
-  number = (number ^ (number >> 31U)) * 0x9E3779B97F4A7C15ULL;
-  number = (number ^ (number >> 29U)) * 0xD1B54A32D192ED03ULL;
-  return number ^ (number >> 32U);
-}
-
 }  // namespace
 
 template <int D>
@@ -193,31 +187,24 @@ CurveOrder curve_order(const WeightedPoints& points, Threads threads) {
 }
 
 InsertionOrder insertion_order(std::size_t count) {
-  // Rounds from the last: of those left, each site stays for an earlier round with chance 1/8.
+  constexpr std::size_t kShare = 8;  // one site of so many is left for an earlier round,
+  constexpr std::size_t kLeft = 4;   // this one of them
   constexpr std::size_t kSmallestRound = 64;
-  std::vector<InsertionOrder> rounds(1);
-  rounds[0].resize(count);
-  for (std::uint32_t i = 0; i < count; ++i) rounds[0][i] = i;
-  while (rounds.back().size() > kSmallestRound) {
-    InsertionOrder& latest = rounds.back();
-    InsertionOrder earlier;
-    earlier.reserve(latest.size() / 7);
-    std::size_t kept = 0;
-    for (const std::uint32_t site : latest) {
-      if (scrambled(site + (std::uint64_t{rounds.size()} << 32U)) % 8 == 0) {
-        earlier.push_back(site);
-      } else {
-        latest[kept++] = site;
-      }
-    }
-    latest.resize(kept);
-    if (earlier.empty()) break;
-    rounds.push_back(std::move(earlier));
-  }
+  // A round has the sites first, first + stride, ... without those of rounds before.
+  std::size_t first = 0, stride = 1;
+  for (; count / stride > kSmallestRound; stride *= kShare) first += kLeft * stride;
   InsertionOrder order;
   order.reserve(count);
-  for (std::size_t round = rounds.size(); round-- > 0;) {
-    order.insert(order.end(), rounds[round].begin(), rounds[round].end());
+  const auto add = [&](std::size_t site) { order.push_back(static_cast<std::uint32_t>(site)); };
+  for (std::size_t site = first; site < count; site += stride) add(site);
+  while (stride > 1) {
+    stride /= kShare;
+    first -= kLeft * stride;
+    std::size_t of_share = 0;
+    for (std::size_t site = first; site < count; site += stride) {
+      if (of_share != kLeft) add(site);
+      of_share = of_share + 1 == kShare ? 0 : of_share + 1;
+    }
   }
   return order;
 }

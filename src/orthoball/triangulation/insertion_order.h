@@ -29,10 +29,11 @@ template <int D>
 /// [i]: the i-th site.
 using InsertionOrder = BlockVector<std::uint32_t>;
 
-/// The order in which sites numbered along a curve are inserted: random rounds, each about seven
-/// times the one before, and within a round along the curve. So every site finds the triangulation
-/// of a sample of all, and the place of its predecessor nearby. Seeded by the number alone.
-/// @cite amenta_choi_rote_2003
+/// The order in which sites numbered along a curve are inserted: rounds along the curve, the last
+/// of all sites but every eighth, the one before of these but every eighth of them, and so on. So
+/// every site finds the triangulation of a sample of all, and the place of its predecessor nearby.
+/// Samples that are spread evenly along the curve, and so in space, need fewer cells on the way
+/// than random ones.  @cite amenta_choi_rote_2003
 [[nodiscard]] InsertionOrder insertion_order(std::size_t count);
 
 }  // namespace orthoball

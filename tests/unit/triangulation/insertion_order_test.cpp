@@ -154,17 +154,20 @@ TEST(InsertionOrder, HasEverySiteOnceInRoundsAlongTheCurve) {
   }
 }
 
-TEST(InsertionOrder, KeepsMostSitesForTheLastRound) {
+TEST(InsertionOrder, LeavesEveryEighthSiteForEarlierRounds) {
   const InsertionOrder order = insertion_order(100000);
-  std::size_t last = 1;
-  while (order[order.size() - last - 1] < order[order.size() - last]) ++last;
-  EXPECT_NEAR(static_cast<double>(last), 87500, 1000);
-  // The earlier ones are spread over the whole curve.
-  const double earlier = static_cast<double>(order.size() - last);
-  const double mean =
-      std::accumulate(order.begin(), order.end() - static_cast<std::ptrdiff_t>(last), 0.0) /
-      earlier;
-  EXPECT_NEAR(mean, 50000, 2000);
+  auto end = order.end();
+  for (std::uint32_t stride = 8; stride <= 512; stride *= 8) {
+    while (*(end - 1) > *(end - 2)) --end;
+    --end;
+    std::vector<std::uint32_t> earlier(order.begin(), end);
+    std::sort(earlier.begin(), earlier.end());
+    EXPECT_LT(earlier.front(), stride);
+    EXPECT_GE(earlier.back() + stride, 100000U);
+    for (std::size_t i = 1; i < earlier.size(); ++i) {
+      ASSERT_EQ(earlier[i] - earlier[i - 1], stride);
+    }
+  }
 }
 
 }  // namespace
