@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
 // Everything happens in the memory that the cells have. First they are grouped by their smallest
-// corner: a counting sort gives each cell its place, neighbours are rewritten to these, and records
-// are moved along the cycles of that permutation, several at a time, for each step waits for
-// memory. The smallest corner follows from the place, so meanwhile a record carries its place
-// instead: nothing but records is touched. Then the cells of each group, few and side by side, are
-// put in order with their corners, and neighbours are rewritten once more: all they refer to is
-// near by then.
+// corner: a counting sort gives each cell its place, neighbours are rewritten to these, corners are
+// put in order, and records are moved along the cycles of that permutation, several at a time, for
+// each step waits for memory. The smallest corner, now the first, follows from the place, so
+// meanwhile a record carries its place instead: nothing but records is touched. Then the cells of
+// each group, few and side by side, are put in order, and neighbours are rewritten once more: all
+// they refer to is near by then.
 #include "orthoball/triangulation/canonical_cells.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -18,6 +19,8 @@
 #include <tuple>
 #include <utility>
 
+#include "orthoball/exact/orient.h"
+#include "orthoball/exact/processor.h"
 #include "orthoball/raw_vector.h"
 
 namespace orthoball {
@@ -26,128 +29,110 @@ namespace {
 /// Which corner of the new record each old corner has become, 2 bits each.
 using CornerMap = std::uint8_t;
 
-std::uint32_t mapped(CornerMap map, std::uint32_t old_corner) {
+constexpr std::uint32_t mapped(CornerMap map, std::uint32_t old_corner) {
   return std::uint32_t{map} >> (2 * old_corner) & 3U;
 }
 
-// The ranks of A + 1 corners by their size, 2 bits each: no branches, for the order of four is as
+// Which of two corners is larger, a bit for each pair: no branches, for the order of four is as
 // good as random.
 template <int A>
-CornerMap ranks_of(const std::array<std::uint32_t, std::size_t{A + 1}>& corners) {
-  if constexpr (A == 3) {
-    using Four = std::int32_t __attribute__((vector_size(16)));  // vertices are below 2^31
-    // Not as they lie in memory: a load of all would wait for the stores of each.
-    const auto signed_corner = [&](std::size_t i) { return static_cast<std::int32_t>(corners[i]); };
-    const Four all = {signed_corner(0), signed_corner(1), signed_corner(2), signed_corner(3)};
-    const Four ranks = (all > __builtin_shufflevector(all, all, 1, 2, 3, 0)) +
-                       (all > __builtin_shufflevector(all, all, 2, 3, 0, 1)) +
-                       (all > __builtin_shufflevector(all, all, 3, 0, 1, 2));  // negative
-    return static_cast<CornerMap>(-(ranks[0] + 4 * ranks[1] + 16 * ranks[2] + 64 * ranks[3]));
-  } else {
-    std::uint32_t ranks = 0;
-    for (std::uint32_t i = 0; i <= A; ++i) {
-      for (std::uint32_t j = 0; j < i; ++j) ranks += 1U << (2 * (corners[i] > corners[j] ? i : j));
-    }
-    return static_cast<CornerMap>(ranks);
+std::uint32_t comparisons(const Corners<A>& corners) {
+  std::uint32_t bits = 0, bit = 0;
+  for (std::size_t i = 1; i <= A; ++i) {
+    for (std::size_t j = 0; j < i; ++j) bits |= std::uint32_t{corners[j] > corners[i]} << bit++;
   }
+  return bits;
 }
 
-// [ranks]: the map that sorts corners of these ranks, the last two exchanged after an odd
-// permutation.
+// [comparisons]: the map that sorts corners that compare so.
 template <int A>
-constexpr std::array<CornerMap, 256> kOrientedMaps = [] {
-  std::array<CornerMap, 256> maps{};
-  for (std::uint32_t ranks = 0; ranks < 256; ++ranks) {
-    std::uint32_t inversions = 0;
-    for (std::uint32_t i = 0; i <= A; ++i) {
+constexpr auto kAscendingMaps = [] {
+  std::array<CornerMap, std::size_t{1} << (A * (A + 1) / 2)> maps{};
+  for (std::uint32_t bits = 0; bits < maps.size(); ++bits) {
+    std::uint32_t map = 0, bit = 0;
+    for (std::uint32_t i = 1; i <= A; ++i) {
       for (std::uint32_t j = 0; j < i; ++j) {
-        inversions += (ranks >> (2 * j) & 3U) > (ranks >> (2 * i) & 3U) ? 1U : 0U;
+        map += 1U << (2 * ((bits >> bit++ & 1U) != 0 ? j : i));
       }
     }
-    std::uint32_t map = 0;
-    for (std::uint32_t i = 0; i <= A; ++i) {
-      std::uint32_t rank = ranks >> (2 * i) & 3U;
-      if (inversions % 2 == 1 && rank + 1 >= A && rank <= A) rank = 2 * A - 1 - rank;
-      map |= rank << (2 * i);
-    }
-    maps[ranks] = static_cast<CornerMap>(map);
+    maps[bits] = static_cast<CornerMap>(map);  // means nothing where bits contradict each other
   }
   return maps;
 }();
 
-// Puts the corners in ascending order into `sorted`, the last two exchanged after an odd
-// permutation where orientation matters.
+// The same, but with the last two exchanged after an odd permutation.
 template <int A>
-CornerMap sort_corners(const std::array<std::uint32_t, std::size_t{A + 1}>& corners,
-                       bool is_oriented, std::array<std::uint32_t, std::size_t{A + 1}>& sorted) {
-  const CornerMap ranks = ranks_of<A>(corners);
-  const CornerMap map = is_oriented ? kOrientedMaps<A>[ranks] : ranks;
-  for (std::uint32_t i = 0; i <= A; ++i) sorted[mapped(map, i)] = corners[i];
-  return map;
-}
-
-/// The other corners of a cell, ascending, as one number, by which cells that share their first
-/// corner are told apart: by their distance from it, which nearly always fits.
-template <int A>
-struct CellAtSite {
-  static constexpr unsigned kBits = A == 3 ? 21 : 32;  // a corner
-
-  std::uint64_t key = 0;
-  bool fits;
-
-  explicit CellAtSite(const std::array<std::uint32_t, std::size_t{A + 1}>& corners) {
-    auto ascending = corners;
-    std::tie(ascending[A - 1], ascending[A]) = std::minmax({corners[A - 1], corners[A]});
-    for (std::size_t i = 1; i <= A; ++i) key = key << kBits | (ascending[i] - corners[0]);
-    fits = ascending[A] - corners[0] < std::uint64_t{1} << kBits;
+constexpr auto kOrientedMaps = [] {
+  auto maps = kAscendingMaps<A>;
+  for (std::uint32_t bits = 0; bits < maps.size(); ++bits) {
+    if (std::popcount(bits) % 2 == 0) continue;
+    std::uint32_t map = 0;
+    for (std::uint32_t i = 0; i <= A; ++i) {
+      const std::uint32_t rank = mapped(maps[bits], i);
+      map |= (rank + 1 >= A && rank <= A ? 2 * A - 1 - rank : rank) << (2 * i);
+    }
+    maps[bits] = static_cast<CornerMap>(map);
   }
-};
+  return maps;
+}();
+
+// The other corners of a cell, ascending, as one number, by which cells that share their first
+// corner are told apart: by their distance from it, which nearly always fits, or it is negative.
+template <int A>
+std::int64_t key_at_first(const Corners<A>& corners) {
+  constexpr unsigned kBits = A == 3 ? 21 : 31;  // a corner
+  Corners<A> ascending = corners;
+  ascending[A - 1] = std::min(corners[A - 1], corners[A]);
+  ascending[A] = std::max(corners[A - 1], corners[A]);
+  std::int64_t key = 0;
+  for (std::size_t i = 1; i <= A; ++i) key = key << kBits | (ascending[i] - corners[0]);
+  return ascending[A] - corners[0] < std::uint32_t{1} << kBits ? key : -1;
+}
 
 /// Ranks the cells that share their first corner by the others.
 template <int A>
 class CellRanking {
  public:
-  /// Puts into ranks()[i] how many of the cells come before cells[i].
-  void rank(std::span<const CellRecord<A>> cells) {
-    keys_.clear();
-    bool fit = true;
-    for (const CellRecord<A>& cell : cells) {
-      const CellAtSite<A> at_site(cell.corners);
-      keys_.push_back(at_site.key);
-      fit &= at_site.fits;
-    }
-    ranks_.assign(cells.size(), 0);
-    if (!fit || cells.size() > kFew) return sort(cells);
-    for (std::uint32_t i = 0; i < keys_.size(); ++i) {
-      std::uint32_t before = i;
-      for (std::uint32_t j = 0; j < i; ++j) {
-        const std::uint32_t precedes = keys_[i] < keys_[j] ? 1 : 0;
-        ranks_[j] += precedes;
-        before -= precedes;
+  /// Puts into places[i] how many of the cells come before cells[i], plus `first`.
+  [[gnu::always_inline]] void rank(std::span<const CellRecord<A>> cells, std::uint32_t first,
+                                   std::uint32_t* places) {
+    if (cells.size() > kFew) return sort(cells, first, places);
+    std::array<std::int64_t, kFew + 4> keys;
+    std::int64_t all = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      all |= keys[i] = key_at_first<A>(cells[i].corners);
+    if (all < 0) return sort(cells, first, places);
+    // Each with each, four at a time, for branches on the order of two would be coin tosses.
+    using Four = std::int64_t __attribute__((vector_size(32)));
+    std::fill_n(keys.begin() + cells.size(), 3, 0);
+    for (std::size_t i = 0; i < cells.size(); i += 4) {
+      const Four four = {keys[i], keys[i + 1], keys[i + 2], keys[i + 3]};
+      Four place = Four{} + first;
+      for (std::size_t j = 0; j < cells.size(); ++j) place -= four > keys[j];
+      for (std::size_t k = 0; k < std::min(std::size_t{4}, cells.size() - i); ++k) {
+        places[i + k] = static_cast<std::uint32_t>(place[k]);
       }
-      ranks_[i] = before;
     }
   }
-  [[nodiscard]] std::span<const std::uint32_t> ranks() const { return ranks_; }
 
  private:
   static constexpr std::size_t kFew = 32;
 
-  void sort(std::span<const CellRecord<A>> cells) {
-    std::vector<std::uint32_t> order(cells.size());
-    std::iota(order.begin(), order.end(), std::uint32_t{0});
+  [[gnu::noinline]] void sort(std::span<const CellRecord<A>> cells, std::uint32_t first,
+                              std::uint32_t* places) {
+    order_.resize(cells.size());
+    std::iota(order_.begin(), order_.end(), std::uint32_t{0});
     const auto ascending = [&](std::uint32_t i) {
       auto corners = cells[i].corners;
       std::tie(corners[A - 1], corners[A]) = std::minmax({corners[A - 1], corners[A]});
       return corners;
     };
-    std::sort(order.begin(), order.end(),
+    std::sort(order_.begin(), order_.end(),
               [&](std::uint32_t i, std::uint32_t j) { return ascending(i) < ascending(j); });
-    for (std::uint32_t i = 0; i < order.size(); ++i) ranks_[order[i]] = i;
+    for (std::uint32_t i = 0; i < order_.size(); ++i) places[order_[i]] = first + i;
   }
 
-  std::vector<std::uint64_t> keys_;   // [cell]
-  std::vector<std::uint32_t> ranks_;  // [cell]
+  std::vector<std::uint32_t> order_;
 };
 
 /// Where the cells of each vertex go, with its cells told apart by the smallest corner.
@@ -160,14 +145,14 @@ class CanonicalOrder {
         is_oriented_(is_oriented),
         threads_(threads.for_work(cells_.size(), 1U << 15U)),
         begins_(vertices + 1, 0),
-        place_(cells_.size()) {}
+        place_(cells_.size()),
+        maps_(cells_.size()) {}
 
   CellArray<A> cells() {
     find_places();
     redirect();
     move(0, static_cast<std::uint32_t>(cells_.size()), threads_);
     cells_.resize(begins_.back());
-    maps_.resize(cells_.size());
     parallel_parts(threads_, vertices(), parts(),
                    [&](std::size_t, std::size_t begin, std::size_t end) { rank(begin, end); });
     parallel_parts(threads_, vertices(), parts(),
@@ -183,21 +168,27 @@ class CanonicalOrder {
 
   // Whether a cell is neither dead nor at infinity, and its smallest corner.
   [[nodiscard]] std::pair<bool, std::uint32_t> kept(const CellRecord<A>& cell) const {
-    const auto [least, largest] = std::minmax_element(cell.corners.begin(), cell.corners.end());
-    return {!CellStore<A>::is_dead(cell) && *largest < infinity_, *least};
+    std::uint32_t least = cell.corners[0], largest = cell.corners[0];
+    for (const std::uint32_t corner : cell.corners) {
+      least = std::min(least, corner);
+      largest = std::max(largest, corner);
+    }
+    return {!CellStore<A>::is_dead(cell) && largest < infinity_, least};
   }
 
-  // Fills begins_ and place_. Each part of the cells counts by itself, and then knows where its own
-  // begin.
+  // Fills begins_, place_ and maps_. Each part of the cells counts by itself, and then knows where
+  // its own begin.
   void find_places() {
     // [part][vertex]: how many cells, then where the next goes.
     std::vector<std::vector<std::uint32_t>> next(parts());
     parallel_parts(threads_, cells_.size(), parts(),
                    [&](std::size_t part, std::size_t begin, std::size_t end) {
                      next[part].resize(vertices());
+                     const auto& maps = is_oriented_ ? kOrientedMaps<A> : kAscendingMaps<A>;
                      for (std::size_t cell = begin; cell < end; ++cell) {
                        const auto [is_kept, vertex] = kept(cells_[cell]);
                        place_[cell] = is_kept ? vertex : kNowhere;
+                       maps_[cell] = maps[comparisons<A>(cells_[cell].corners)];
                        if (is_kept) ++next[part][vertex];
                      }
                    });
@@ -216,44 +207,30 @@ class CanonicalOrder {
                    });
   }
 
-  // Neighbours become places; kOutside where they are not kept. What is not kept becomes a gap.
+  // Puts the corners in order, and the place instead of the first. Neighbours become places;
+  // kOutside where they are not kept. What is not kept becomes a gap.
   void redirect() {
     parallel_parts(threads_, cells_.size(), parts(),
                    [&](std::size_t, std::size_t begin, std::size_t end) {
                      for (std::size_t cell = begin; cell < end; ++cell) {
-                       carry(cells_[cell].corners, place_[cell]);
-                       if (place_[cell] == kNowhere) continue;
-                       for (std::uint32_t& facet : cells_[cell].neighbours) {
-                         const std::uint32_t place = place_[facet / 4];
-                         facet = place == kNowhere ? kOutside : 4 * place + facet % 4;
-                       }
+                       const std::uint32_t place = place_[cell];
+                       if (place != kNowhere) redirect(cells_[cell], maps_[cell]);
+                       cells_[cell].corners[0] = place;
                      }
                    });
   }
-
-  // While it is on its way a record has its place, and where its smallest corner was, instead of
-  // the first corner, which is where the smallest was.
-  using Corners = std::array<std::uint32_t, std::size_t{A + 1}>;
-  static constexpr unsigned kPlaceBits = 29;
-  static void carry(Corners& corners, std::uint32_t place) {
-    const auto smallest = static_cast<std::uint32_t>(
-        std::min_element(corners.begin(), corners.end()) - corners.begin());
-    corners[smallest] = corners[0];
-    corners[0] = place == kNowhere ? kNowhere : smallest << kPlaceBits | place;
-  }
-  static std::uint32_t carried_place(const CellRecord<A>& cell) {
-    const std::uint32_t first = cell.corners[0];
-    return first == kNowhere ? kNowhere : first & ((1U << kPlaceBits) - 1);
-  }
-  [[gnu::always_inline]] static Corners put_back(const Corners& carried, std::uint32_t smallest) {
-    const std::uint32_t at = carried[0] >> kPlaceBits;
-    const std::uint32_t first = carried[at];
-    Corners corners;
-    for (std::uint32_t i = 0; i <= A; ++i) {
-      corners[i] = i == at ? smallest : i == 0 ? first : carried[i];
+  void redirect(CellRecord<A>& record, CornerMap map) const {
+    const CellRecord<A> old = record;
+    for (std::uint32_t corner = 0; corner <= A; ++corner) {
+      const std::uint32_t facet = old.neighbours[corner];
+      const std::uint32_t place = place_[facet / 4];
+      const std::uint32_t to = mapped(map, corner);
+      record.corners[to] = old.corners[corner];
+      record.neighbours[to] =
+          place == kNowhere ? kOutside : 4 * place + mapped(maps_[facet / 4], facet % 4);
     }
-    return corners;
   }
+  static std::uint32_t carried_place(const CellRecord<A>& cell) { return cell.corners[0]; }
 
   // Moves the cells of slots begin..end - 1, which are those of these places, to their places; each
   // half by itself once the halves have exchanged what does not belong to them. That is little, for
@@ -311,19 +288,19 @@ class CanonicalOrder {
     }
   }
 
-  // Finds the final places of the cells of some vertices, and puts their corners in order.
+  // Finds the final places of the cells of some vertices, and puts these back as corners.
   void rank(std::size_t begin, std::size_t end) {
+    has_avx2() ? rank_wide(begin, end) : rank_inline(begin, end);
+  }
+  [[gnu::flatten]] ORTHOBALL_AVX2 void rank_wide(std::size_t begin, std::size_t end) {
+    rank_inline(begin, end);
+  }
+  [[gnu::always_inline]] void rank_inline(std::size_t begin, std::size_t end) {
     CellRanking<A> ranking;
     for (auto vertex = static_cast<std::uint32_t>(begin); vertex < end; ++vertex) {
       const std::uint32_t first = begins_[vertex], behind = begins_[vertex + 1];
-      for (std::uint32_t cell = first; cell < behind; ++cell) {
-        Corners& corners = cells_[cell].corners;
-        maps_[cell] = sort_corners<A>(put_back(corners, vertex), is_oriented_, corners);
-      }
-      ranking.rank({cells_.data() + first, behind - first});
-      for (std::uint32_t cell = first; cell < behind; ++cell) {
-        place_[cell] = first + ranking.ranks()[cell - first];
-      }
+      for (std::uint32_t cell = first; cell < behind; ++cell) cells_[cell].corners[0] = vertex;
+      ranking.rank({cells_.data() + first, behind - first}, first, place_.data() + first);
     }
   }
 
@@ -335,12 +312,9 @@ class CanonicalOrder {
       of_vertex.assign(cells_.data() + first, cells_.data() + begins_[vertex + 1]);
       for (std::uint32_t i = 0; i < of_vertex.size(); ++i) {
         CellRecord<A>& record = cells_[place_[first + i]];
-        record.corners = of_vertex[i].corners;
-        for (std::uint32_t corner = 0; corner <= A; ++corner) {
-          const std::uint32_t facet = of_vertex[i].neighbours[corner];
-          record.neighbours[mapped(maps_[first + i], corner)] =
-              facet == kOutside ? kOutside
-                                : 4 * place_[facet / 4] + mapped(maps_[facet / 4], facet % 4);
+        record = of_vertex[i];
+        for (std::uint32_t& facet : record.neighbours) {
+          if (facet != kOutside) facet = 4 * place_[facet / 4] + facet % 4;
         }
       }
     }
