@@ -18,9 +18,6 @@
 
 namespace orthoball {
 
-/// Four words of a record at once.
-using Words = std::uint32_t __attribute__((vector_size(16)));
-
 /// Zeros, of which only those that are written or read cost memory.
 class UntouchedWords {
  public:

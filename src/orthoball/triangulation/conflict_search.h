@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,9 @@
 #include "orthoball/triangulation/territory.h"
 
 namespace orthoball {
+
+/// Four words of a record at once.
+using Words = std::uint32_t __attribute__((vector_size(16)));
 
 /// A facet of the boundary of a conflict region. (site, vertices...) is positively oriented, but on
 /// a line, where that is for whoever makes cells to see to.
@@ -213,10 +217,22 @@ class ConflictSearch {
 
   [[gnu::always_inline]] static BoundaryFacet<A> facet_of(const Cell& record, std::size_t i) {
     BoundaryFacet<A> facet;
-    for (std::size_t k = 0; k < A; ++k) {
-      facet.vertices[k] = record.corners[kFacetCorners<A>[i][k]];
+    if constexpr (A == 3) {
+      // As one vector: GCC would put together each from its words. The order is kFacetCorners.
+      Words words;
+      std::memcpy(&words, &record.corners, sizeof words);
+      words = i == 0   ? __builtin_shufflevector(words, words, 1, 2, 3, 0)
+              : i == 1 ? __builtin_shufflevector(words, words, 0, 3, 2, 1)
+              : i == 2 ? __builtin_shufflevector(words, words, 0, 1, 3, 2)
+                       : __builtin_shufflevector(words, words, 0, 2, 1, 3);
+      words[3] = record.neighbours[i];
+      std::memcpy(&facet, &words, sizeof words);
+    } else {
+      for (std::size_t k = 0; k < A; ++k) {
+        facet.vertices[k] = record.corners[kFacetCorners<A>[i][k]];
+      }
+      facet.outside = record.neighbours[i];
     }
-    facet.outside = record.neighbours[i];
     return facet;
   }
 
