@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <new>
 #include <span>
@@ -136,8 +137,20 @@ class ConflictRegion {
     restar(site, hidden);
     return Outcome::inserted;
   }
-  /// One of the cells of the site inserted last.
-  [[nodiscard]] std::uint32_t new_cell() const { return places_[0]; }
+  /// One of the cells of the site inserted last: where a walk to `goal` does best to begin, going
+  /// by a few corners of a few of them.
+  [[nodiscard]] std::uint32_t new_cell_towards(std::uint32_t goal) const {
+    const std::span<const Facet> boundary = search_.boundary();
+    const std::size_t stride = (boundary.size() + kLookedAt - 1) / kLookedAt;
+    std::size_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t f = 0; f < boundary.size(); f += stride) {
+      const double square = square_distance(sites_[boundary[f].vertices[0]], sites_[goal]);
+      nearest = square < least ? f : nearest;
+      least = std::min(square, least);
+    }
+    return places_[nearest];
+  }
 
   [[nodiscard]] CellSupply<A>& supply() { return supply_; }
 
@@ -151,6 +164,15 @@ class ConflictRegion {
   // A triangulated sphere has two triangles a vertex, less four.
   static constexpr std::size_t kMatrixFacets = 2 * kMatrixSide - 4;
   static constexpr std::uint32_t kCellsAtOnce = 1024;
+  static constexpr std::size_t kLookedAt = 8;  // new cells, see new_cell_towards
+
+  static double square_distance(const Site<D>& a, const Site<D>& b) {
+    double sum = 0.0;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      sum += (a.x[axis] - b.x[axis]) * (a.x[axis] - b.x[axis]);
+    }
+    return sum;
+  }
 
   // places_[f] becomes the cell at facet f; false if cells are lacking.
   bool place_new_cells(bool may_grow) {

@@ -184,9 +184,10 @@ class Insertion {
   void work_alone(Numbers sites) {
     const Territory<A, D> whole = Territory<A, D>::whole();
     Worker& worker = *workers_[0];
-    for (const std::uint32_t site : sites) {
-      if (is_in_basis(site)) continue;
-      insert_at(worker, site, location_.locate(site, worker.cell, whole).cell, whole, true);
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      if (is_in_basis(sites[i])) continue;
+      const std::uint32_t cell = location_.locate(sites[i], worker.cell, whole).cell;
+      insert_at(worker, sites.subspan(i), cell, whole, true);
     }
     inserted_ += sites.size();
   }
@@ -203,7 +204,7 @@ class Insertion {
         is_lost = !is_found;
         if (is_found) break;
       }
-      if (is_lost || !insert_at(worker, sites[i], worker.cell, territory, false)) {
+      if (is_lost || !insert_at(worker, sites.subspan(i), worker.cell, territory, false)) {
         worker.postponed.push_back(sites[i]);
       }
     }
@@ -214,11 +215,14 @@ class Insertion {
     return true;
   }
 
-  // False if the site is postponed.
-  bool insert_at(Worker& worker, std::uint32_t site, std::uint32_t cell,
+  // Inserts the first of these sites, the next of which will be looked for from near it. False if
+  // it is postponed.
+  bool insert_at(Worker& worker, Numbers sites, std::uint32_t cell,
                  const Territory<A, D>& territory, bool may_grow) const {
-    const Outcome outcome = worker.region.insert(site, cell, territory, may_grow, worker.hidden);
-    worker.cell = outcome == Outcome::inserted ? worker.region.new_cell() : cell;
+    Region& region = worker.region;
+    const Outcome outcome = region.insert(sites[0], cell, territory, may_grow, worker.hidden);
+    const std::uint32_t next = sites[sites.size() > 1 ? 1 : 0];
+    worker.cell = outcome == Outcome::inserted ? region.new_cell_towards(next) : cell;
     return outcome != Outcome::postponed;
   }
 
