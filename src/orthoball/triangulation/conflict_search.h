@@ -164,9 +164,16 @@ class ConflictSearch {
       const View view = view_from(cells, record);
       const Fates fates = glance(record, view, site);
       const std::uint32_t dying = fates.dying, staying = fates.staying;
-      if (!is_whole && !owns(territory, view.apexes, dying)) [[unlikely]] {
-        dead_count_ = dead_count;
-        return false;
+      if (!is_whole) {
+        std::uint32_t unsure = 0;
+        unrolled<std::size_t{A + 1}>([&](std::size_t i) __attribute__((always_inline)) {
+          unsure |= std::uint32_t{!territory.has_at_once(view.apexes[i])} << i;
+        });
+        unsure &= dying;
+        if (unsure != 0 && !owns(territory, Corners<A>(view.apexes), unsure)) [[unlikely]] {
+          dead_count_ = dead_count;
+          return false;
+        }
       }
       unrolled<std::size_t{A + 1}>([&](std::size_t i) __attribute__((always_inline)) {
         const std::uint32_t dies = dying >> i & 1U;
@@ -206,11 +213,12 @@ class ConflictSearch {
     return view;
   }
 
+  // Whether the apexes of these bits are all in the territory.
   [[gnu::noinline]] static bool owns(const Territory<A, D>& territory, const Corners<A>& apexes,
-                                     std::uint32_t dying) {
+                                     std::uint32_t bits) {
     bool all = true;
     for (std::uint32_t i = 0; i <= A; ++i) {
-      all &= (dying >> i & 1U) == 0 || territory.has(apexes[i]);
+      all &= (bits >> i & 1U) == 0 || territory.has(apexes[i]);
     }
     return all;
   }

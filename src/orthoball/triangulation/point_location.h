@@ -77,9 +77,9 @@ class PointLocation {
       const CellRecord<A>& record = cells_[cell];
       const unsigned facet = facet_before_site(record.corners, site);
       if (facet > A) return {cell, true};
-      const std::uint32_t beyond = record.neighbours[facet] / 4;
-      if (!is_whole && !owns(territory, beyond)) return {cell, false};
-      cell = beyond;
+      const std::uint32_t beyond = record.neighbours[facet];
+      if (!is_whole && !territory.has(cells_[beyond / 4].corners[beyond % 4])) return {cell, false};
+      cell = beyond / 4;
       if (!cells_.is_finite(cells_[cell])) return {cell, true};
     }
   }

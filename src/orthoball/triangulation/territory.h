@@ -49,7 +49,6 @@ class Territory {
   [[nodiscard]] static Territory of_numbers(std::uint32_t begin, std::uint32_t end,
                                             std::uint32_t infinity) {
     Territory result;
-    result.kind_ = Kind::numbers;
     result.begin_ = begin;
     result.size_ = end - begin;
     result.infinity_ = infinity;
@@ -59,29 +58,28 @@ class Territory {
   [[nodiscard]] static Territory of_box(const Sites<D>& sites, const Box<D>& box,
                                         std::uint32_t infinity) {
     Territory result;
-    result.kind_ = Kind::box;
+    result.size_ = 0;
     result.sites_ = &sites;
     result.box_ = box;
     result.infinity_ = infinity;
     return result;
   }
 
-  [[nodiscard]] bool is_whole() const { return kind_ == Kind::whole; }
+  [[nodiscard]] bool is_whole() const { return size_ == kAll; }
   [[nodiscard]] bool has(std::uint32_t vertex) const {
-    if (vertex == infinity_) return A == 3;
-    if (kind_ == Kind::numbers) return vertex - begin_ < size_;
-    if (kind_ == Kind::whole) return true;
-    return box_.has((*sites_)[vertex]);
+    return has_at_once(vertex) ||
+           (vertex == infinity_ ? A == 3 : sites_ != nullptr && box_.has((*sites_)[vertex]));
   }
+  /// What one comparison tells: most of what a territory of numbers has, nothing of a box.
+  [[nodiscard]] bool has_at_once(std::uint32_t vertex) const { return vertex - begin_ < size_; }
 
  private:
-  enum class Kind { whole, numbers, box };
+  static constexpr std::uint32_t kAll = std::numeric_limits<std::uint32_t>::max();
   Territory() = default;
 
-  Kind kind_ = Kind::whole;
-  std::uint32_t begin_ = 0, size_ = 0;
-  std::uint32_t infinity_ = std::numeric_limits<std::uint32_t>::max();
-  const Sites<D>* sites_ = nullptr;
+  std::uint32_t begin_ = 0, size_ = kAll;  // no numbers in a box
+  std::uint32_t infinity_ = kAll;
+  const Sites<D>* sites_ = nullptr;  // of a box
   Box<D> box_{};
 };
 
