@@ -239,10 +239,10 @@ class ConflictRegion {
     Cell* const cells = &cells_[0];
     for (std::size_t f = 0; f < boundary.size(); ++f) {
       const Numbers n = facet_numbers[f];
-      Words facet;
-      std::memcpy(&facet, &boundary[f], sizeof facet);
-      const std::uint32_t outside = facet[3];
-      const Words corners = __builtin_shufflevector(facet, Words{site}, 4, 0, 1, 2);
+      const std::uint32_t outside = boundary[f].outside;
+      Words corners;
+      std::memcpy(&corners, &boundary[f], sizeof corners);
+      corners[0] = site;
       const Words neighbours = {outside, left_of[n[2] * kMatrixSide + n[1]],
                                 left_of[n[0] * kMatrixSide + n[2]],
                                 left_of[n[1] * kMatrixSide + n[0]]};
@@ -260,7 +260,7 @@ class ConflictRegion {
       left_of[boundary[f].vertices[0]] = places_[f];
     }
     for (std::size_t f = 0; f < boundary.size(); ++f) {
-      const auto [vertices, outside] = boundary[f];
+      const auto [outside, vertices] = boundary[f];
       const std::uint32_t next = left_of[vertices[1]];
       cells_[places_[f]].corners = {site, vertices[0], vertices[1]};
       cells_[places_[f]].neighbours[0] = outside;
@@ -275,7 +275,7 @@ class ConflictRegion {
     const std::span<const Facet> boundary = search_.boundary();
     std::vector<std::pair<std::uint64_t, std::uint32_t>> facets;  // at each ridge two
     for (std::size_t f = 0; f < boundary.size(); ++f) {
-      const auto& [vertices, outside] = boundary[f];
+      const auto& [outside, vertices] = boundary[f];
       Cell& cell = cells_[places_[f]];
       cell.corners = {site, vertices[0], vertices[1], vertices[2]};
       cell.neighbours[0] = outside;
@@ -295,7 +295,7 @@ class ConflictRegion {
   // Neighbours on a line lie at opposite ends of both.
   void restar_on_line(std::uint32_t site) {
     for (std::size_t f = 0; f < 2; ++f) {
-      const auto [vertices, outside] = search_.boundary()[f];
+      const auto [outside, vertices] = search_.boundary()[f];
       const std::uint32_t at = 1 - outside % 4;
       Cell& record = cells_[places_[f]];
       record.corners[at] = site;

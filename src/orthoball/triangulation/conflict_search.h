@@ -25,8 +25,8 @@ using Words = std::uint32_t __attribute__((vector_size(16)));
 /// a line, where that is for whoever makes cells to see to.
 template <int A>
 struct alignas(A == 3 ? 16 : 4) BoundaryFacet {
-  std::array<std::uint32_t, std::size_t{A}> vertices;  ///< by number
   std::uint32_t outside;                               ///< 4 * cell + corner of the cell that stays
+  std::array<std::uint32_t, std::size_t{A}> vertices;  ///< by number
 };
 
 /// (i, kFacetCorners<A>[i]...) is an even permutation of the corners of a cell.
@@ -229,11 +229,11 @@ class ConflictSearch {
       // As one vector: GCC would put together each from its words. The order is kFacetCorners.
       Words words;
       std::memcpy(&words, &record.corners, sizeof words);
-      words = i == 0   ? __builtin_shufflevector(words, words, 1, 2, 3, 0)
-              : i == 1 ? __builtin_shufflevector(words, words, 0, 3, 2, 1)
-              : i == 2 ? __builtin_shufflevector(words, words, 0, 1, 3, 2)
-                       : __builtin_shufflevector(words, words, 0, 2, 1, 3);
-      words[3] = record.neighbours[i];
+      words = i == 0   ? words
+              : i == 1 ? __builtin_shufflevector(words, words, 1, 0, 3, 2)
+              : i == 2 ? __builtin_shufflevector(words, words, 2, 0, 1, 3)
+                       : __builtin_shufflevector(words, words, 3, 0, 2, 1);
+      words[0] = record.neighbours[i];
       std::memcpy(&facet, &words, sizeof words);
     } else {
       for (std::size_t k = 0; k < A; ++k) {
