@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "orthoball/parallel.h"
 #include "orthoball/raw_vector.h"
 
 namespace orthoball {
@@ -80,14 +81,64 @@ inline void sort(std::span<KeyedRow> rows, std::span<KeyedRow> spare) {
   }
 }
 
+// The same on several threads: deals the rows to ranges of keys, by the highest bits in which keys
+// differ, and sorts the ranges side by side.
+inline void sort_in_ranges(std::span<KeyedRow> rows, std::span<KeyedRow> spare, Threads threads) {
+  const std::size_t parts = threads.count();
+  std::vector<std::uint64_t> differences(parts, 0);
+  parallel_parts(threads, rows.size(), parts,
+                 [&](std::size_t part, std::size_t begin, std::size_t end) {
+                   std::uint64_t of_part = 0;
+                   for (std::size_t i = begin; i < end; ++i) of_part |= rows[i].key ^ rows[0].key;
+                   differences[part] = of_part;
+                 });
+  std::uint64_t all = 0;
+  for (const std::uint64_t of_part : differences) all |= of_part;
+  const auto top = static_cast<unsigned>(std::bit_width(all));
+  // Ranges of some thousand rows, which the caches hold.
+  const unsigned bits =
+      std::min({static_cast<unsigned>(std::bit_width(rows.size() >> 12U)), kDigitBits, top});
+  const std::size_t ranges = std::size_t{1} << bits;
+  const auto range_of = [&](const KeyedRow& row) {
+    return bits == 0 ? 0 : static_cast<std::size_t>(row.key >> (top - bits)) & (ranges - 1);
+  };
+
+  // [part][range]: how many rows, then where the next goes.
+  std::vector<std::vector<std::uint32_t>> next(parts, std::vector<std::uint32_t>(ranges, 0));
+  parallel_parts(threads, rows.size(), parts,
+                 [&](std::size_t part, std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) ++next[part][range_of(rows[i])];
+                 });
+  std::vector<std::uint32_t> begins(ranges + 1, 0);
+  std::uint32_t sum = 0;
+  for (std::size_t range = 0; range < ranges; ++range) {
+    for (auto& of_part : next) sum += std::exchange(of_part[range], sum);
+    begins[range + 1] = sum;
+  }
+  parallel_parts(threads, rows.size(), parts,
+                 [&](std::size_t part, std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) {
+                     spare[next[part][range_of(rows[i])]++] = rows[i];
+                   }
+                 });
+  parallel_for(threads, ranges, [&](std::size_t range) {
+    const std::size_t begin = begins[range], count = begins[range + 1] - begin;
+    sort(spare.subspan(begin, count), rows.subspan(begin, count));
+    std::copy_n(spare.begin() + static_cast<std::ptrdiff_t>(begin), count,
+                rows.begin() + static_cast<std::ptrdiff_t>(begin));
+  });
+}
+
 }  // namespace radix_sort_detail
 
 /// Sorts fewer than 2^32 rows by key, ascending and stably: by the 33 highest bits in which keys
 /// differ, least significant digits first, then runs of those that agree in these likewise. O(n)
 /// time, O(n) extra memory.
-inline void radix_sort(RawVector<KeyedRow>& rows) {
+inline void radix_sort(RawVector<KeyedRow>& rows, Threads threads = Threads(1)) {
   RawVector<KeyedRow> spare(rows.size());
-  radix_sort_detail::sort(rows, spare);
+  threads = threads.for_work(rows.size(), 1U << 14U);
+  if (threads.count() == 1) return radix_sort_detail::sort(rows, spare);
+  radix_sort_detail::sort_in_ranges(rows, spare, threads);
 }
 
 /// A 64-bit key that orders doubles as < does; -0 comes before 0. Not for NaN.

@@ -11,11 +11,11 @@
 namespace orthoball {
 namespace {
 
-void check_sorted(RawVector<KeyedRow> rows) {
+void check_sorted(RawVector<KeyedRow> rows, Threads threads = Threads(1)) {
   RawVector<KeyedRow> expected = rows;
   std::stable_sort(expected.begin(), expected.end(),
                    [](const KeyedRow& a, const KeyedRow& b) { return a.key < b.key; });
-  radix_sort(rows);
+  radix_sort(rows, threads);
   ASSERT_EQ(rows.size(), expected.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     ASSERT_EQ(rows[i].key, expected[i].key) << i;
@@ -54,6 +54,23 @@ TEST(RadixSort, SortsManyThatAgreeInAllButTheirLastBits) {
   check_sorted(rows);
   for (KeyedRow& row : rows) row.key = 5;
   check_sorted(rows);
+}
+
+TEST(RadixSort, SortsStablyOnSeveralThreads) {
+  for (const std::size_t size : {40'000U, 150'000U}) {
+    for (const unsigned bits : {1U, 2U, 11U, 34U, 64U}) {
+      SCOPED_TRACE(testing::Message() << size << " keys of " << bits << " bits");
+      RawVector<KeyedRow> rows = rows_of(size, bits, 0, 3);
+      check_sorted(rows, Threads(2));
+      check_sorted(rows, Threads(7));
+      if (bits < 34) rows.back().key ^= std::uint64_t{1} << 63U;  // one far from all others
+      check_sorted(rows, Threads(4));
+    }
+  }
+  check_sorted(rows_of(40'000, 1, 0, 3), Threads(2));
+  RawVector<KeyedRow> same = rows_of(40'000, 1, 0, 3);
+  for (KeyedRow& row : same) row.key = 5;
+  check_sorted(same, Threads(2));
 }
 
 }  // namespace

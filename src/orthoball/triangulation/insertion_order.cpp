@@ -154,7 +154,7 @@ CurveOrder curve_order(const WeightedPoints& points, Threads threads) {
           keyed[row] = {curve_index<D>(cube, Box<D>::kLevels), static_cast<std::uint32_t>(row)};
         }
       });
-  radix_sort(keyed);
+  radix_sort(keyed, threads);
 
   CurveOrder order;
   order.rows.reserve(keyed.size());
