@@ -132,8 +132,9 @@ inline void sort_in_ranges(std::span<KeyedRow> rows, std::span<KeyedRow> spare, 
 }  // namespace radix_sort_detail
 
 /// Sorts fewer than 2^32 rows by key, ascending and stably: by the 33 highest bits in which keys
-/// differ, least significant digits first, then runs of those that agree in these likewise. O(n)
-/// time, O(n) extra memory.
+/// differ, least significant digits first, then runs of those that agree in these likewise. Several
+/// threads first deal rows to ranges by the highest bits of all, so keys that crowd in one range
+/// are sorted by one thread; the result is the same. O(n) time, O(n) extra memory.
 inline void radix_sort(RawVector<KeyedRow>& rows, Threads threads = Threads(1)) {
   RawVector<KeyedRow> spare(rows.size());
   threads = threads.for_work(rows.size(), 1U << 14U);

@@ -10,8 +10,8 @@ namespace orthoball {
 /// The regular triangulation of `points`. Exact; see RegularTriangulation. The same whatever the
 /// number of threads.
 ///
-/// O(n log n) time for points that are not made to be hard; the worst case is quadratic in space,
-/// as the triangulation itself is.
+/// O(n log n) time for points that are not made to be hard. At worst quadratic: in space, as the
+/// triangulation itself is then, and in the plane.
 /// @throws InputError unless `points.dimension()` is D.
 /// @throws LimitError for more than 2^29 cells.
 /// @cite bowyer_1981  @cite amenta_choi_rote_2003  @cite marot_pellerin_remacle_2019

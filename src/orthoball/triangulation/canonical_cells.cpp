@@ -60,7 +60,8 @@ constexpr auto kAscendingMaps = [] {
   return maps;
 }();
 
-// The same, but with the last two exchanged after an odd permutation.
+// The same, but with the last two exchanged after an odd permutation. Not for segments, whose first
+// corner would not be the smallest.
 template <int A>
 constexpr auto kOrientedMaps = [] {
   auto maps = kAscendingMaps<A>;
@@ -76,8 +77,8 @@ constexpr auto kOrientedMaps = [] {
   return maps;
 }();
 
-// The other corners of a cell, ascending, as one number, by which cells that share their first
-// corner are told apart: by their distance from it, which nearly always fits, or it is negative.
+// What tells cells apart that share their first corner: the distances of the other corners from it,
+// ascending, as one number; negative if they do not fit, which is rare.
 template <int A>
 std::int64_t key_at_first(const Corners<A>& corners) {
   constexpr unsigned kBits = A == 3 ? 21 : 31;  // a corner
@@ -95,21 +96,23 @@ class CellRanking {
  public:
   /// Puts into places[i] how many of the cells come before cells[i], plus `first`.
   [[gnu::always_inline]] void rank(std::span<const CellRecord<A>> cells, std::uint32_t first,
-                                   std::uint32_t* places) {
-    if (cells.size() > kFew) return sort(cells, first, places);
-    std::array<std::int64_t, kFew + 4> keys;
-    std::int64_t all = 0;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      all |= keys[i] = key_at_first<A>(cells[i].corners);
-    if (all < 0) return sort(cells, first, places);
+                                   std::span<std::uint32_t> places) {
+    const std::size_t size = cells.size();
+    if (size > kFew) return sort(cells, first, places);
+    std::array<std::int64_t, kFew + kLanes - 1> keys;
+    bool all_fit = true;
+    for (std::size_t i = 0; i < size; ++i) {
+      keys[i] = key_at_first<A>(cells[i].corners);
+      all_fit &= keys[i] >= 0;
+    }
+    if (!all_fit) return sort(cells, first, places);
+    std::fill_n(keys.begin() + size, kLanes - 1, 0);  // the rest of the last vector
     // Each with each, four at a time, for branches on the order of two would be coin tosses.
-    using Four = std::int64_t __attribute__((vector_size(32)));
-    std::fill_n(keys.begin() + cells.size(), 3, 0);
-    for (std::size_t i = 0; i < cells.size(); i += 4) {
-      const Four four = {keys[i], keys[i + 1], keys[i + 2], keys[i + 3]};
-      Four place = Four{} + first;
-      for (std::size_t j = 0; j < cells.size(); ++j) place -= four > keys[j];
-      for (std::size_t k = 0; k < std::min(std::size_t{4}, cells.size() - i); ++k) {
+    for (std::size_t i = 0; i < size; i += kLanes) {
+      const Lanes lanes = {keys[i], keys[i + 1], keys[i + 2], keys[i + 3]};
+      Lanes place = Lanes{} + first;
+      for (std::size_t j = 0; j < size; ++j) place -= lanes > keys[j];
+      for (std::size_t k = 0; k < std::min(kLanes, size - i); ++k) {
         places[i + k] = static_cast<std::uint32_t>(place[k]);
       }
     }
@@ -117,9 +120,11 @@ class CellRanking {
 
  private:
   static constexpr std::size_t kFew = 32;
+  static constexpr std::size_t kLanes = 4;
+  using Lanes = std::int64_t __attribute__((vector_size(8 * kLanes)));
 
   [[gnu::noinline]] void sort(std::span<const CellRecord<A>> cells, std::uint32_t first,
-                              std::uint32_t* places) {
+                              std::span<std::uint32_t> places) {
     order_.resize(cells.size());
     std::iota(order_.begin(), order_.end(), std::uint32_t{0});
     const auto ascending = [&](std::uint32_t i) {
@@ -142,7 +147,7 @@ class CanonicalOrder {
   CanonicalOrder(CellStore<A> cells, std::size_t vertices, bool is_oriented, Threads threads)
       : cells_(cells.take()),
         infinity_(cells.infinity()),
-        is_oriented_(is_oriented),
+        is_oriented_(is_oriented && A > 1),
         threads_(threads.for_work(cells_.size(), 1U << 15U)),
         begins_(vertices + 1, 0),
         place_(cells_.size()),
@@ -288,9 +293,11 @@ class CanonicalOrder {
     }
   }
 
-  // Finds the final places of the cells of some vertices, and puts these back as corners.
+  // Finds the final places of the cells of some vertices, which become their first corners again.
+  // The same code twice, the compiler's own vectors being too narrow for the keys.
   void rank(std::size_t begin, std::size_t end) {
-    has_avx2() ? rank_wide(begin, end) : rank_inline(begin, end);
+    if (has_avx2()) return rank_wide(begin, end);
+    rank_inline(begin, end);
   }
   [[gnu::flatten]] ORTHOBALL_AVX2 void rank_wide(std::size_t begin, std::size_t end) {
     rank_inline(begin, end);
@@ -300,7 +307,8 @@ class CanonicalOrder {
     for (auto vertex = static_cast<std::uint32_t>(begin); vertex < end; ++vertex) {
       const std::uint32_t first = begins_[vertex], behind = begins_[vertex + 1];
       for (std::uint32_t cell = first; cell < behind; ++cell) cells_[cell].corners[0] = vertex;
-      ranking.rank({cells_.data() + first, behind - first}, first, place_.data() + first);
+      const std::size_t size = behind - first;
+      ranking.rank({cells_.data() + first, size}, first, {place_.data() + first, size});
     }
   }
 

@@ -16,7 +16,8 @@ namespace orthoball {
 /// beside. The same on any number of threads.
 /// @param cells        used up.
 /// @param is_hidden    [site] whether a site has no cell.
-/// @param is_oriented  whether cells keep their orientation by a change of the last two corners.
+/// @param is_oriented  whether cells keep their orientation by a change of the last two corners;
+///                     segments have none.
 template <int A>
 [[nodiscard]] CellArray<A> canonical_cells(CellStore<A> cells, const std::vector<bool>& is_hidden,
                                            bool is_oriented, Threads threads);

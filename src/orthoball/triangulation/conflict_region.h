@@ -137,15 +137,18 @@ class ConflictRegion {
     restar(site, hidden);
     return Outcome::inserted;
   }
-  /// One of the cells of the site inserted last: where a walk to `goal` does best to begin, going
-  /// by a few corners of a few of them.
+  /// One of the cells of the site inserted last, from which a walk to `goal` is short: of up to
+  /// kLookedAt of them, that of which one corner is nearest to it. Undefined unless the last site
+  /// was inserted.
   [[nodiscard]] std::uint32_t new_cell_towards(std::uint32_t goal) const {
     const std::span<const Facet> boundary = search_.boundary();
     const std::size_t stride = (boundary.size() + kLookedAt - 1) / kLookedAt;
     std::size_t nearest = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t f = 0; f < boundary.size(); f += stride) {
-      const double square = square_distance(sites_[boundary[f].vertices[0]], sites_[goal]);
+      const std::uint32_t corner = boundary[f].vertices[0];
+      if (corner == cells_.infinity()) continue;  // which has no position
+      const double square = square_distance(sites_[corner], sites_[goal]);
       nearest = square < least ? f : nearest;
       least = std::min(square, least);
     }

@@ -22,22 +22,14 @@ namespace orthoball {
 using Words = std::uint32_t __attribute__((vector_size(16)));
 
 /// A facet of the boundary of a conflict region. (site, vertices...) is positively oriented, but on
-/// a line, where that is for whoever makes cells to see to.
+/// a line, where that is for whoever makes cells to see to. With the site in the place of `outside`
+/// its words are the corners of the new cell.
 template <int A>
 struct alignas(A == 3 ? 16 : 4) BoundaryFacet {
   std::uint32_t outside;                               ///< 4 * cell + corner of the cell that stays
   std::array<std::uint32_t, std::size_t{A}> vertices;  ///< by number
 };
-
-/// (i, kFacetCorners<A>[i]...) is an even permutation of the corners of a cell.
-template <int A>
-inline constexpr auto kFacetCorners = [] {
-  if constexpr (A == 1) return std::array<std::array<std::size_t, 1>, 2>{{{1}, {0}}};
-  if constexpr (A == 2) return std::array<std::array<std::size_t, 2>, 3>{{{1, 2}, {2, 0}, {0, 1}}};
-  if constexpr (A == 3) {
-    return std::array<std::array<std::size_t, 3>, 4>{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
-  }
-}();
+static_assert(sizeof(BoundaryFacet<3>) == sizeof(Words));
 
 /// Finds the cells that a site invalidates: a ball of cells around the site, for perturbation
 /// leaves no ties.
@@ -164,16 +156,9 @@ class ConflictSearch {
       const View view = view_from(cells, record);
       const Fates fates = glance(record, view, site);
       const std::uint32_t dying = fates.dying, staying = fates.staying;
-      if (!is_whole) {
-        std::uint32_t unsure = 0;
-        unrolled<std::size_t{A + 1}>([&](std::size_t i) __attribute__((always_inline)) {
-          unsure |= std::uint32_t{!territory.has_at_once(view.apexes[i])} << i;
-        });
-        unsure &= dying;
-        if (unsure != 0 && !owns(territory, Corners<A>(view.apexes), unsure)) [[unlikely]] {
-          dead_count_ = dead_count;
-          return false;
-        }
+      if (!is_whole && leaves(territory, view, dying)) [[unlikely]] {
+        dead_count_ = dead_count;
+        return false;
       }
       unrolled<std::size_t{A + 1}>([&](std::size_t i) __attribute__((always_inline)) {
         const std::uint32_t dies = dying >> i & 1U;
@@ -213,9 +198,20 @@ class ConflictSearch {
     return view;
   }
 
-  // Whether the apexes of these bits are all in the territory.
-  [[gnu::noinline]] static bool owns(const Territory<A, D>& territory, const Corners<A>& apexes,
-                                     std::uint32_t bits) {
+  // Whether a neighbour that dies is not in the territory. Only its apex is asked about: the facet
+  // is that of a cell in the territory.
+  [[gnu::always_inline]] static bool leaves(const Territory<A, D>& territory, const View& view,
+                                            std::uint32_t dying) {
+    std::uint32_t not_at_once = 0;
+    unrolled<std::size_t{A + 1}>([&](std::size_t i) __attribute__((always_inline)) {
+      not_at_once |= std::uint32_t{!territory.has_at_once(view.apexes[i])} << i;
+    });
+    // Of a copy, for what a call can see would not stay in registers.
+    return (not_at_once & dying) != 0 &&
+           !has_all(territory, Corners<A>(view.apexes), not_at_once & dying);
+  }
+  [[gnu::noinline]] static bool has_all(const Territory<A, D>& territory, const Corners<A>& apexes,
+                                        std::uint32_t bits) {
     bool all = true;
     for (std::uint32_t i = 0; i <= A; ++i) {
       all &= (bits >> i & 1U) == 0 || territory.has(apexes[i]);
@@ -223,10 +219,12 @@ class ConflictSearch {
     return all;
   }
 
+  // The facet opposite corner i. (i, its corners...) is an even permutation of the corners, for A =
+  // 1 an odd one.
   [[gnu::always_inline]] static BoundaryFacet<A> facet_of(const Cell& record, std::size_t i) {
     BoundaryFacet<A> facet;
     if constexpr (A == 3) {
-      // As one vector: GCC would put together each from its words. The order is kFacetCorners.
+      // As one vector, which GCC would put together word by word.
       Words words;
       std::memcpy(&words, &record.corners, sizeof words);
       words = i == 0   ? words
@@ -236,10 +234,10 @@ class ConflictSearch {
       words[0] = record.neighbours[i];
       std::memcpy(&facet, &words, sizeof words);
     } else {
-      for (std::size_t k = 0; k < A; ++k) {
-        facet.vertices[k] = record.corners[kFacetCorners<A>[i][k]];
-      }
       facet.outside = record.neighbours[i];
+      for (std::size_t k = 0; k < A; ++k) {
+        facet.vertices[k] = record.corners[(i + 1 + k) % (A + 1)];
+      }
     }
     return facet;
   }

@@ -3,7 +3,8 @@
 // Bowyer. Computing Dirichlet tessellations. The Computer Journal 24 (1981).
 // Edelsbrunner, Shah. Incremental topological flipping works for regular triangulations.
 //   Algorithmica 15 (1996). We replace the whole conflict region instead of flipping through it.
-// Amenta, Choi, Rote. Incremental constructions con BRIO. SoCG 2003: the order of insertion.
+// Amenta, Choi, Rote. Incremental constructions con BRIO. SoCG 2003: rounds of insertion; ours are
+//   not random (see insertion_order).
 // Marot, Pellerin, Remacle. One machine, one minute, three billion tetrahedra. International
 //   Journal for Numerical Methods in Engineering 117 (2019): parts of a curve as territories. There
 //   threads look at cells that others may be changing; here none does (see Territory).
@@ -215,8 +216,8 @@ class Insertion {
     return true;
   }
 
-  // Inserts the first of these sites, the next of which will be looked for from near it. False if
-  // it is postponed.
+  // Inserts sites[0] and leaves the worker at a cell that is near sites[1]. False if sites[0] is
+  // postponed.
   bool insert_at(Worker& worker, Numbers sites, std::uint32_t cell,
                  const Territory<A, D>& territory, bool may_grow) const {
     Region& region = worker.region;

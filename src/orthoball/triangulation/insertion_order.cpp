@@ -187,7 +187,7 @@ CurveOrder curve_order(const WeightedPoints& points, Threads threads) {
 
 InsertionOrder insertion_order(std::size_t count) {
   constexpr std::size_t kShare = 8;  // one site of so many is left for an earlier round,
-  constexpr std::size_t kLeft = 4;   // this one of them
+  constexpr std::size_t kLeft = 4;   // this one of them, not the corner of a cube of the curve
   constexpr std::size_t kSmallestRound = 64;
   // A round has the sites first, first + stride, ... without those of rounds before.
   std::size_t first = 0, stride = 1;
@@ -199,10 +199,10 @@ InsertionOrder insertion_order(std::size_t count) {
   while (stride > 1) {
     stride /= kShare;
     first -= kLeft * stride;
-    std::size_t of_share = 0;
+    std::size_t in_share = 0;
     for (std::size_t site = first; site < count; site += stride) {
-      if (of_share != kLeft) add(site);
-      of_share = of_share + 1 == kShare ? 0 : of_share + 1;
+      if (in_share != kLeft) add(site);
+      in_share = in_share + 1 == kShare ? 0 : in_share + 1;
     }
   }
   return order;

@@ -33,7 +33,8 @@ using InsertionOrder = BlockVector<std::uint32_t>;
 /// of all sites but every eighth, the one before of these but every eighth of them, and so on. So
 /// every site finds the triangulation of a sample of all, and the place of its predecessor nearby.
 /// Samples that are spread evenly along the curve, and so in space, need fewer cells on the way
-/// than random ones.  @cite amenta_choi_rote_2003
+/// than the random ones of the paper; what it proves of these is not proved of ours.
+/// @cite amenta_choi_rote_2003
 [[nodiscard]] InsertionOrder insertion_order(std::size_t count);
 
 }  // namespace orthoball

@@ -68,26 +68,25 @@ class PointLocation {
                                                const FacetBefore& facet_before_site) const {
     const bool is_whole = territory.is_whole();
     std::uint32_t cell = start;
+    // The cell at hand is in the territory, so of the next one only the corner off their facet is
+    // asked about.
+    const auto leaves = [&](std::uint32_t facet) {
+      return !is_whole && !territory.has(cells_[facet / 4].corners[facet % 4]);
+    };
     if (const std::size_t infinite = cells_.corner_at_infinity(cells_[cell]); infinite <= A) {
-      const std::uint32_t inside = cells_[cell].neighbours[infinite] / 4;
-      if (!is_whole && !owns(territory, inside)) return {cell, false};
-      cell = inside;
+      const std::uint32_t inside = cells_[cell].neighbours[infinite];
+      if (leaves(inside)) return {cell, false};
+      cell = inside / 4;
     }
     for (;;) {
       const CellRecord<A>& record = cells_[cell];
       const unsigned facet = facet_before_site(record.corners, site);
       if (facet > A) return {cell, true};
       const std::uint32_t beyond = record.neighbours[facet];
-      if (!is_whole && !territory.has(cells_[beyond / 4].corners[beyond % 4])) return {cell, false};
+      if (leaves(beyond)) return {cell, false};
       cell = beyond / 4;
       if (!cells_.is_finite(cells_[cell])) return {cell, true};
     }
-  }
-
-  [[nodiscard]] bool owns(const Territory<A, D>& territory, std::uint32_t cell) const {
-    bool all = true;
-    for (const std::uint32_t vertex : cells_[cell].corners) all &= territory.has(vertex);
-    return all;
   }
 
   [[nodiscard]] Place walk_plain(std::uint32_t site, std::uint32_t start,

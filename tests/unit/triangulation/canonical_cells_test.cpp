@@ -21,10 +21,11 @@ using generators::PointFamily;
 using generators::points_of;
 
 // The cells of a triangulation with vertex v called v * stride, in random slots with dead ones
-// between, a random corner first; hull facets lead to a dead cell.
+// between, corners in any order or, where cells are oriented, a random one first; hull facets lead
+// to a dead cell.
 template <int A>
 CellStore<A> scattered(std::span<const CellRecord<A>> cells, std::uint32_t vertices,
-                       std::uint32_t stride, std::mt19937& random) {
+                       std::uint32_t stride, bool is_oriented, std::mt19937& random) {
   CellStore<A> store(std::size_t{vertices} * stride, 0);
   std::vector<std::uint32_t> slots(2 * cells.size() + 1);
   std::iota(slots.begin(), slots.end(), 0U);
@@ -33,7 +34,11 @@ CellStore<A> scattered(std::span<const CellRecord<A>> cells, std::uint32_t verti
   std::vector<std::array<std::uint32_t, 4>> corner_of(cells.size());  // [cell][corner before]
   for (auto& turned : corner_of) {
     turned = {0, 1, 2, 3};
-    std::rotate(turned.begin(), turned.begin() + random() % 3, turned.begin() + 3);  // even
+    if (is_oriented) {
+      std::rotate(turned.begin(), turned.begin() + random() % 3, turned.begin() + 3);  // even
+    } else {
+      std::shuffle(turned.begin(), turned.begin() + A + 1, random);
+    }
   }
   const std::uint32_t dead = slots.back();
   for (const std::uint32_t slot : slots) {
@@ -53,21 +58,23 @@ CellStore<A> scattered(std::span<const CellRecord<A>> cells, std::uint32_t verti
   return store;
 }
 
-template <int D>
+template <int A, int D>
 void check(const WeightedPoints& points) {
   const RegularTriangulation<D> triangulation = regular_triangulation<D>(points);
-  const auto cells = triangulation.template cells<D>();
+  ASSERT_EQ(triangulation.affine_dimension(), A);
+  const auto cells = triangulation.template cells<A>();
   const auto vertices = static_cast<std::uint32_t>(triangulation.vertex_count());
   std::mt19937 random(1);
   // With the last, corners of a cell differ by more than fits one key.
   for (const std::uint32_t stride : {1U, 7U, (1U << 22U) / vertices}) {
     const std::vector<bool> none_hidden(std::size_t{vertices} * stride, false);
     for (const unsigned threads : {1U, 3U}) {
-      const CellArray<D> found = canonical_cells<D>(scattered<D>(cells, vertices, stride, random),
-                                                    none_hidden, true, Threads(threads));
+      const CellArray<A> found =
+          canonical_cells<A>(scattered<A>(cells, vertices, stride, A == D, random), none_hidden,
+                             A == D, Threads(threads));
       ASSERT_EQ(found.size(), cells.size());
       for (std::size_t cell = 0; cell < found.size(); ++cell) {
-        for (std::size_t corner = 0; corner <= D; ++corner) {
+        for (std::size_t corner = 0; corner <= A; ++corner) {
           ASSERT_EQ(found[cell].corners[corner], cells[cell].corners[corner] * stride);
           ASSERT_EQ(found[cell].neighbours[corner], cells[cell].neighbours[corner]);
         }
@@ -77,13 +84,23 @@ void check(const WeightedPoints& points) {
 }
 
 TEST(CanonicalCells, DoNotDependOnSlotsOrFirstCorners) {
-  check<2>(points_of(PointFamily::uniform, 2, 300, 1));
-  check<3>(points_of(PointFamily::uniform, 3, 300, 2));
+  check<2, 2>(points_of(PointFamily::uniform, 2, 300, 1));
+  check<3, 3>(points_of(PointFamily::uniform, 3, 300, 2));
+}
+
+TEST(CanonicalCells, OnALineOrInAPlaneHaveNoOrientation) {
+  std::vector<double> line, plane;
+  for (int i = 0; i < 200; ++i) {
+    line.insert(line.end(), {3.0 * i, 1.0 - i});
+    plane.insert(plane.end(), {1.0 * (i % 13), 2.0 * (i % 29), 1.0 * (i % 13) + 4.0 * (i % 29)});
+  }
+  check<1, 2>(WeightedPoints(2, line, WeightKind::none, {}));
+  check<2, 3>(WeightedPoints(3, plane, WeightKind::none, {}));
 }
 
 TEST(CanonicalCells, AreTheSameOnSeveralThreads) {
-  check<2>(points_of(PointFamily::uniform, 2, 40'000, 1));  // enough for them
-  check<3>(points_of(PointFamily::uniform, 3, 12'000, 2));
+  check<2, 2>(points_of(PointFamily::uniform, 2, 40'000, 1));  // enough for them
+  check<3, 3>(points_of(PointFamily::uniform, 3, 12'000, 2));
 }
 
 TEST(CanonicalCells, AreOrderedWhereManyShareTheirFirstCorner) {
@@ -105,7 +122,7 @@ TEST(CanonicalCells, AreOrderedWhereManyShareTheirFirstCorner) {
   EXPECT_GT(std::count_if(cells.begin(), cells.end(),
                           [](const CellRecord<3>& cell) { return cell.corners[0] == 0; }),
             100);
-  check<3>(points);
+  check<3, 3>(points);
 }
 
 }  // namespace

@@ -142,7 +142,6 @@ TEST(CurveOrder, TakesCoordinatesOfAnySize) {
 TEST(InsertionOrder, HasEverySiteOnceInRoundsAlongTheCurve) {
   for (const std::size_t count : {0U, 1U, 2U, 63U, 64U, 65U, 66U, 1000U, 100000U}) {
     InsertionOrder order = insertion_order(count);
-    EXPECT_EQ(order, insertion_order(count));
     ASSERT_EQ(order.size(), count);
     std::size_t rounds = count == 0 ? 0 : 1;
     for (std::size_t i = 1; i < count; ++i) {

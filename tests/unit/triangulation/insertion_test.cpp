@@ -126,6 +126,15 @@ TEST(Territory, HasWhatIsBetweenItsBorders) {
     EXPECT_FALSE(territory.has(2));
     EXPECT_FALSE(territory.is_whole());
   }
+  EXPECT_TRUE(part.has_at_once(1));
+  for (std::uint32_t vertex = 0; vertex <= 3; ++vertex) {
+    EXPECT_TRUE((Territory<3, 3>::whole().has_at_once(vertex)));
+    EXPECT_FALSE(box.has_at_once(vertex));
+    EXPECT_FALSE((Territory<3, 3>::of_numbers(2, 2, 3).has_at_once(vertex)));  // none
+    EXPECT_LE(part.has_at_once(vertex), part.has(vertex));
+    EXPECT_LE((Territory<2, 2>::of_numbers(1, 3, 3).has_at_once(vertex)),
+              (Territory<2, 2>::of_numbers(1, 3, 3).has(vertex)));
+  }
 }
 
 }  // namespace
