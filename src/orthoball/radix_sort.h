@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "orthoball/parallel.h"
+#include "orthoball/places_of_parts.h"
 #include "orthoball/raw_vector.h"
 
 namespace orthoball {
@@ -110,11 +111,7 @@ inline void sort_in_ranges(std::span<KeyedRow> rows, std::span<KeyedRow> spare, 
                    for (std::size_t i = begin; i < end; ++i) ++next[part][range_of(rows[i])];
                  });
   std::vector<std::uint32_t> begins(ranges + 1, 0);
-  std::uint32_t sum = 0;
-  for (std::size_t range = 0; range < ranges; ++range) {
-    for (auto& of_part : next) sum += std::exchange(of_part[range], sum);
-    begins[range + 1] = sum;
-  }
+  find_places_of_parts(next, begins);
   parallel_parts(threads, rows.size(), parts,
                  [&](std::size_t part, std::size_t begin, std::size_t end) {
                    for (std::size_t i = begin; i < end; ++i) {

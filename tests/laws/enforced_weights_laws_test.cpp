@@ -115,6 +115,18 @@ std::vector<bool> present(const Wish& wish, const WeightedPoints& points) {
   return are_present<D>(filtration, filtration.index(wish.alpha2), wish.simplices);
 }
 
+// The weights of points, of which the last `added` cost nothing; fails unless they hold what is
+// wished for.
+template <int D>
+EnforcedWeights granted(const WeightedPoints& points, const Wish& wish, std::size_t added = 0) {
+  EnforcedWeights result = enforced_weights(points, wish.simplices, wish.alpha2, Threads(), added);
+  EXPECT_EQ(result.conflict, std::vector<std::size_t>());
+  if (!result.conflict.empty()) return result;
+  const auto are_there = present<D>(wish, result.points);
+  EXPECT_EQ(std::count(are_there.begin(), are_there.end(), false), 0);
+  return result;
+}
+
 // What a reader makes of the table of points.
 WeightedPoints written_and_read(const WeightedPoints& points) {
   std::ostringstream text;
@@ -131,10 +143,8 @@ template <int D>
 void expect_granted(std::uint64_t seed) {
   SCOPED_TRACE(testing::Message() << "dimension " << D << ", seed " << seed);
   const Wish wish = random_wish<D>(seed);
-  const EnforcedWeights result = enforced_weights(wish.points, wish.simplices, wish.alpha2);
-  ASSERT_EQ(result.conflict, std::vector<std::size_t>());
-  const auto are_there = present<D>(wish, result.points);
-  EXPECT_EQ(std::count(are_there.begin(), are_there.end(), false), 0);
+  const EnforcedWeights result = granted<D>(wish.points, wish);
+  ASSERT_TRUE(result.conflict.empty());
 
   const Filtration<D> held(regular_triangulation<D>(result.points));
   const Filtration<D> read_back(regular_triangulation<D>(written_and_read(result.points)));
@@ -165,25 +175,12 @@ TEST(EnforcedWeights, HoldWhatSomeWeightsHold) {
   }
 }
 
-template <int D>
-void expect_parts_held(const WeightedPoints& points, const AddedSites& sites) {
-  const Wish wish{points, sites.simplices, 1.0};
-  const EnforcedWeights weights =
-      enforced_weights(sites.points, wish.simplices, wish.alpha2, Threads(1), sites.added);
-  EXPECT_TRUE(weights.conflict.empty());
-  const auto are_there = present<D>(wish, weights.points);
-  EXPECT_EQ(std::count(are_there.begin(), are_there.end(), false), 0);
-}
-
 // Weights may be as large as it takes, so that alpha2 is no limit.
 template <int D>
 void expect_all_sizes_held(std::uint64_t seed) {
   SCOPED_TRACE(testing::Message() << "dimension " << D << ", seed " << seed);
   const Wish wish = clustered_wish<D>(seed);
-  const EnforcedWeights result = enforced_weights(wish.points, wish.simplices, wish.alpha2);
-  ASSERT_EQ(result.conflict, std::vector<std::size_t>());
-  const auto are_there = present<D>(wish, result.points);
-  EXPECT_EQ(std::count(are_there.begin(), are_there.end(), false), 0);
+  (void)granted<D>(wish.points, wish);
 }
 
 TEST(EnforcedWeights, HoldSimplicesOfVeryDifferentSizes) {
@@ -229,7 +226,7 @@ void expect_fewest_named_and_freed(std::uint64_t seed) {
   }
   const AddedSites sites = with_added_sites(points, simplices);
   EXPECT_TRUE(!conflict.empty() || sites.added == 0);
-  expect_parts_held<D>(points, sites);
+  (void)granted<D>(sites.points, Wish{points, sites.simplices, 1.0}, sites.added);
 }
 
 TEST(EnforcedWeights, NameTheFewestThatExcludeEachOtherAndSitesFreeThem) {
@@ -285,7 +282,7 @@ void expect_triangles_freed(std::uint64_t seed) {
   for (std::size_t i = 0; i < simplices.size(); ++i) {
     EXPECT_NEAR(sum[i], size(points, simplices[i]), 1e-6) << "simplex " << i;
   }
-  expect_parts_held<D>(points, sites);
+  (void)granted<D>(sites.points, Wish{points, sites.simplices, 1.0}, sites.added);
 }
 
 TEST(EnforcedWeights, HoldPartsOfTrianglesThatMeet) {

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "orthoball/places_of_parts.h"
+
 namespace orthoball {
 namespace {
 
@@ -54,11 +56,7 @@ void FilterOrder::deal() {
                    for (std::size_t i = begin; i < end; ++i) ++counts[enters_[i] >> kStretchBits];
                    next[part] = std::move(counts);
                  });
-  std::uint32_t first = 0;
-  for (std::size_t stretch = 0; stretch < stretch_count(); ++stretch) {
-    for (auto& of_part : next) first += std::exchange(of_part[stretch], first);
-    begins_[stretch + 1] = first;
-  }
+  find_places_of_parts(next, begins_);
   parallel_parts(threads_, enters_.size(), next.size(),
                  [&](std::size_t part, std::size_t begin, std::size_t end) {
                    for (std::size_t i = begin; i < end; ++i) {

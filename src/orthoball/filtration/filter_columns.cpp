@@ -14,6 +14,7 @@
 
 #include "orthoball/filtration/affine_dimension.h"
 #include "orthoball/filtration/simplex_reader.h"
+#include "orthoball/places_of_parts.h"
 
 namespace orthoball {
 namespace {
@@ -92,11 +93,7 @@ class ColumnOrder {
                      }
                      next_[part] = std::move(counts);
                    });
-    std::uint32_t first = 0;
-    for (std::size_t stretch = 0; stretch < stretch_count(); ++stretch) {
-      for (auto& of_part : next_) first += std::exchange(of_part[stretch], first);
-      begins_[stretch + 1] = first;
-    }
+    find_places_of_parts(next_, begins_);
   }
 
   [[nodiscard]] std::size_t size() const { return begins_.back(); }

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "orthoball/parallel.h"
+#include "orthoball/places_of_parts.h"
 #include "orthoball/raw_vector.h"
 
 namespace orthoball {
@@ -45,13 +45,8 @@ class IndexCounts {
       std::uint32_t* const counts = next[part].data();
       for_each(part, [&](std::uint32_t index) { ++counts[index >> kIndexStretchBits]; });
     });
-    std::uint32_t sum = 0;
-    for (std::size_t stretch = 0; stretch + 1 < begins_.size(); ++stretch) {
-      begins_[stretch] = sum;
-      for (auto& of_part : next) sum += std::exchange(of_part[stretch], sum);
-    }
-    begins_.back() = sum;
-    lower_bits_.resize(sum);
+    find_places_of_parts(next, begins_);
+    lower_bits_.resize(begins_.back());
     parallel_for(threads, parts, [&](std::size_t part) {
       std::uint32_t* const places = next[part].data();
       std::uint16_t* const lower_bits = lower_bits_.data();

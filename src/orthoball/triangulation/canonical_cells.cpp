@@ -21,6 +21,7 @@
 
 #include "orthoball/exact/orient.h"
 #include "orthoball/exact/processor.h"
+#include "orthoball/places_of_parts.h"
 #include "orthoball/raw_vector.h"
 
 namespace orthoball {
@@ -197,12 +198,7 @@ class CanonicalOrder {
                        if (is_kept) ++next[part][vertex];
                      }
                    });
-    std::uint32_t sum = 0;
-    for (std::size_t vertex = 0; vertex < vertices(); ++vertex) {
-      begins_[vertex] = sum;
-      for (auto& of_part : next) sum += std::exchange(of_part[vertex], sum);
-    }
-    begins_.back() = sum;
+    find_places_of_parts(next, begins_);
     parallel_parts(threads_, cells_.size(), parts(),
                    [&](std::size_t part, std::size_t begin, std::size_t end) {
                      for (std::size_t cell = begin; cell < end; ++cell) {
